@@ -129,6 +129,20 @@ std::string suspects(const Screening& result) {
   return text;
 }
 
+// A command on a line of its own, to be copied.
+std::string not_read(const std::string& error) {
+  const std::size_t command = error.find("stickband identify ");
+  std::string text = wrapped("not read: " + error.substr(0, command), 2);
+  if (command != std::string::npos) text += "\n  " + error.substr(command);
+  return text;
+}
+
+std::string passed_over(const Screening& result) {
+  const std::size_t count = result.passed_over.size();
+  return std::to_string(count) + (count == 1 ? " file" : " files") +
+         " of other kinds passed over: " + names_of_some(result.passed_over);
+}
+
 // `listed`: a list named the loops.
 std::string summary(const Screening& result, const std::vector<std::string>& outputs,
                     bool listed) {
@@ -151,14 +165,12 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
   std::size_t told = 0;
   for (const ScreenedLoop& loop : result.loops) {
     if (loop.error.empty() || ++told > kMostTold) continue;
-    text += wrapped("not read: " + loop.error, 2) + '\n';
+    text += not_read(loop.error) + '\n';
   }
   if (told > kMostTold) {
     text += "  and " + std::to_string(told - kMostTold) + " more: the results say why\n";
   }
-  if (told > 0) {
-    text += "  (--u and --y are options of `stickband identify`; here it is --pairs)\n";
-  }
+  if (!result.passed_over.empty()) text += "  " + passed_over(result) + '\n';
   if (!result.unpaired.empty()) {
     text += std::to_string(result.unpaired.size()) + " tags belong to no loop:";
     for (std::size_t i = 0; i < std::min<std::size_t>(result.unpaired.size(), 8); ++i) {
@@ -223,6 +235,7 @@ int screen_paths(Options options) {
   if (options.json) {
     for (const ScreenedLoop& loop : result.loops) print(json_line(json_of(loop)));
     for (const std::string& tag : result.unpaired) complain("of no loop: " + tag);
+    if (!result.passed_over.empty()) complain(passed_over(result));
   } else {
     print(summary(result, options.outputs, !screening.read.pairs.list.empty()));
   }

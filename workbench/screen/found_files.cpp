@@ -21,9 +21,10 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepestList = 4;  // lists that name lists
 
+constexpr std::array<std::string_view, 9> kEndings = {
+    ".csv", ".txt", ".tsv", ".tab", ".asc", ".dat", ".lvm", ".xlsx", ".ods"};
+
 bool is_recording_name(const fs::path& path) {
-  constexpr std::array<std::string_view, 9> kEndings = {
-      ".csv", ".txt", ".tsv", ".tab", ".asc", ".dat", ".lvm", ".xlsx", ".ods"};
   const std::string ending = lower_case(path.extension().string());
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
@@ -59,6 +60,7 @@ class Finder {
 
   void add_folder(const std::string& path) {
     const std::size_t before = found.files.size();
+    const std::size_t passed_over = found.passed_over.size();
     std::error_code error;
     fs::recursive_directory_iterator at(
         path, fs::directory_options::skip_permission_denied, error);
@@ -72,16 +74,29 @@ class Finder {
       std::error_code ignored;
       if (is_hidden(at->path())) {
         if (at->is_directory(ignored)) at.disable_recursion_pending();
-      } else if (at->is_regular_file(ignored) && is_recording_name(at->path())) {
-        found.files.push_back(at->path().string());
+      } else if (at->is_regular_file(ignored)) {
+        (is_recording_name(at->path()) ? found.files : found.passed_over)
+            .push_back(at->path().string());
       }
     }
-    if (found.files.size() == before) {
-      problem(path,
-              "expected recordings (*.csv, *.txt, *.tsv) below this folder, found none; "
-              "name the files, or a pattern such as '" +
-                  path + "/*.log'");
+    if (found.files.size() == before) no_recordings(path, passed_over);
+  }
+
+  // `passed_over`: how many files were before those of the folder.
+  void no_recordings(const std::string& path, std::size_t passed_over) {
+    std::string endings;
+    for (const std::string_view ending : kEndings) {
+      endings += (endings.empty() ? "*" : ", *") + std::string(ending);
     }
+    const auto first =
+        found.passed_over.begin() + static_cast<std::ptrdiff_t>(passed_over);
+    std::vector<std::string> others(first, found.passed_over.end());
+    std::sort(others.begin(), others.end());
+    found.passed_over.erase(first, found.passed_over.end());
+    problem(path, "expected recordings (" + endings + ") below this folder, found " +
+                      (others.empty() ? "none" : "only " + names_of_some(others)) +
+                      "; export the loops as one of these, or name a table whose name "
+                      "ends otherwise itself");
   }
 
   void add_pattern(const std::string& pattern, int depth) {
@@ -130,11 +145,28 @@ class Finder {
 FoundFiles find_files(const std::vector<std::string>& paths) {
   Finder finder;
   for (const std::string& path : paths) finder.add(path, 0);
-  std::vector<std::string>& files = finder.found.files;
-  for (std::string& file : files) file = fs::path(file).lexically_normal().string();
-  std::sort(files.begin(), files.end());
-  files.erase(std::unique(files.begin(), files.end()), files.end());
+  for (auto* files : {&finder.found.files, &finder.found.passed_over}) {
+    for (std::string& file : *files) file = fs::path(file).lexically_normal().string();
+    std::sort(files->begin(), files->end());
+    files->erase(std::unique(files->begin(), files->end()), files->end());
+  }
+  // One that is named itself is read.
+  std::erase_if(finder.found.passed_over, [&finder](const std::string& file) {
+    return std::ranges::binary_search(finder.found.files, file);
+  });
   return std::move(finder.found);
+}
+
+std::string names_of_some(const std::vector<std::string>& files) {
+  constexpr std::size_t kMost = 8;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(files.size(), kMost); ++i) {
+    out += (i == 0 ? "" : ", ") + fs::path(files[i]).filename().string();
+  }
+  if (files.size() > kMost) {
+    out += " and " + std::to_string(files.size() - kMost) + " more";
+  }
+  return out;
 }
 
 bool is_date_like(const std::string& name) {

@@ -15,7 +15,12 @@ struct PathProblem {
 struct FoundFiles {
   std::vector<std::string> files;  ///< sorted, each once
   std::vector<PathProblem> problems;
+  /// In folders with recordings: of other kinds, not read; sorted, each once.
+  std::vector<std::string> passed_over;
 };
+
+/// At most eight of these files by name, for a line: "a.log, b.dbc and 3 more".
+[[nodiscard]] std::string names_of_some(const std::vector<std::string>& files);
 
 /// Each of `paths` is a file, a folder (all recordings below it), a pattern with * ? [ ],
 /// or @LIST: a text file that names one such path a line, from its own folder; lines that

@@ -18,11 +18,8 @@ constexpr double kFewCycles = 25;
 
 std::vector<bool> times_of(const std::vector<double>& signal, const Heard& heard) {
   const std::vector<double> thin = means(signal, heard.thinned);
-  // A short record is one piece: as a whole it oscillates.
-  const bool is_short = static_cast<double>(signal.size()) < kFewCycles * heard.period;
-  std::vector<bool> out(thin.size(), is_short);
-  if (is_short) return out;
   ident::OscillationDetector<double> detector;
+  std::vector<bool> out(thin.size(), false);
   bool before = false;
   for (std::size_t i = 0; i < thin.size(); ++i) {
     (void)detector.push(thin[i]);
@@ -36,6 +33,9 @@ std::vector<bool> times_of(const std::vector<double>& signal, const Heard& heard
     }
     before = rhythm.oscillating;
   }
+  // A short record that oscillates as a whole is one piece.
+  const bool is_short = static_cast<double>(signal.size()) < kFewCycles * heard.period;
+  if (is_short && detector.report().detected) out.assign(out.size(), true);
   return out;
 }
 

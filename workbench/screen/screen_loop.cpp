@@ -122,6 +122,11 @@ void take_pictures(const Recording& last, double period_s, ScreenedLoop& out) {
   out.picture_y = picture_of(last.y, last.size() - count);
 }
 
+// Steps of one direction, and what rests, have a rhythm, too.
+bool may_oscillate(ident::Reason reason) {
+  return reason != ident::Reason::kOneStroke && reason != ident::Reason::kConstant;
+}
+
 double mean_band(const ScreenedLoop& loop) {
   const ident::Estimate<double>& up = loop.stick_band.ascending;
   const ident::Estimate<double>& down = loop.stick_band.descending;
@@ -132,6 +137,29 @@ double mean_band(const ScreenedLoop& loop) {
 // 0 … 1, rising; a half at `middle`.
 double rising(double value, double middle, double width) {
   return 1 / (1 + std::exp(-(value - middle) / width));
+}
+
+// `out` knows its rhythm, and the share of the time in which u oscillates.
+void take_result(const Analysis& analysis, ScreenedLoop& out) {
+  const Identification& result = analysis.result();
+  out.verdict = ident::name(result.verdict);
+  out.reason = ident::sentence(result.reason);
+  if (result.cause != ident::Cause::kUnknown) out.cause = ident::name(result.cause);
+  out.stick_band = result.stick_band;
+  out.slip_jump = result.slip_jump;
+  out.detectable_band = result.detectable_band;
+  out.span = analysis.span();
+  out.windows = analysis.windows();
+  const ident::LadderFinding<double>& pooled = analysis.pooled();
+  out.nats = pooled.predicted > 0 ? pooled.nats : std::nan("");
+  out.stem_nats = ident::nats_of_stems(result.evidence, std::nan(""));
+  out.error_ratio = result.evidence.error_ratio;
+  out.regularity = result.oscillation.regularity;
+  const bool periodic =
+      result.oscillation.detected && result.oscillation.period_samples > 0;
+  out.period_s = periodic ? result.oscillation.period_samples * analysis.period_s()
+                 : out.oscillating_share > 0 ? out.rhythm.period_s
+                                             : 0;
 }
 
 }  // namespace
@@ -173,7 +201,6 @@ ScreenedLoop screen_loop(std::vector<Recording> recordings,
     one.heard = rhythm_of(recording, clocks[i]);
     all_s += one.heard.time.all_s;
     oscillating_s += one.heard.time.oscillating_s;
-    out.samples += static_cast<double>(recording.size());
     if (one.heard.rhythm.period_s > 0) out.rhythm = std::move(one.heard.rhythm);
     for (const std::string& note : recording.resampling.notes) {
       if (std::find(out.notes.begin(), out.notes.end(), note) == out.notes.end()) {
@@ -185,7 +212,6 @@ ScreenedLoop screen_loop(std::vector<Recording> recordings,
   out.unit = recordings.front().unit(Column::u);
   out.from = recordings.front().start;
   out.sample_period_s = recordings.front().period_s;
-  out.oscillating_share = all_s > 0 ? oscillating_s / all_s : 0;
   take_pictures(recordings.back(), out.rhythm.period_s, out);
 
   const Analysis analysis(
@@ -194,24 +220,13 @@ ScreenedLoop screen_loop(std::vector<Recording> recordings,
         if (stop && stop()) throw ScreeningStopped();
       },
       Depth::kVerdict);
-  const Identification& result = analysis.result();
-  out.verdict = ident::name(result.verdict);
-  out.reason = ident::sentence(result.reason);
-  if (result.cause != ident::Cause::kUnknown) out.cause = ident::name(result.cause);
-  out.stick_band = result.stick_band;
-  out.slip_jump = result.slip_jump;
-  out.detectable_band = result.detectable_band;
-  out.span = analysis.span();
-  out.windows = analysis.windows();
-  const ident::LadderFinding<double>& pooled = analysis.pooled();
-  out.nats = pooled.predicted > 0 ? pooled.nats : std::nan("");
-  out.stem_nats = ident::nats_of_stems(result.evidence, std::nan(""));
-  out.error_ratio = result.evidence.error_ratio;
-  out.regularity = result.oscillation.regularity;
-  const bool periodic =
-      result.oscillation.detected && result.oscillation.period_samples > 0;
-  out.period_s = periodic ? result.oscillation.period_samples * analysis.period_s()
-                          : out.rhythm.period_s;
+  out.samples = static_cast<double>(analysis.samples());
+  if (may_oscillate(analysis.result().reason)) {
+    out.oscillating_share = all_s > 0 ? oscillating_s / all_s : 0;
+  } else {
+    for (Remembered& one : remembered) one.heard.oscillates.clear();
+  }
+  take_result(analysis, out);
   out.trend = Trend(remembered).of(analysis.findings());
   for (const std::string& note : analysis.notes()) out.notes.push_back(note);
   rate(out);

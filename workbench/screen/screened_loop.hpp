@@ -41,7 +41,7 @@ struct ScreenedLoop {
   int windows = 0;
   double period_s = 0;           ///< of the oscillation; 0 none
   double oscillating_share = 0;  ///< of the time, 0 … 1
-  double samples = 0;
+  double samples = 0;            ///< of recordings that are given twice once
   double sample_period_s = 0;
   std::string from;            ///< clock time of the first sample, "" unknown
   std::vector<Stretch> trend;  ///< at least two, or none

@@ -16,6 +16,7 @@
 #include "workbench/screen/groups.hpp"
 #include "workbench/screen/journal.hpp"
 #include "workbench/screen/loop_tasks.hpp"
+#include "workbench/screen/screen_advice.hpp"
 #include "workbench/screen/screen_loop.hpp"
 #include "workbench/screen/split_export.hpp"
 
@@ -111,6 +112,7 @@ class Screener {
     });
     if (stop_) files_.clear();
     exports_.resize(files_.size());
+    out_.passed_over = std::move(found.passed_over);
     return std::move(found.problems);
   }
 
@@ -140,8 +142,8 @@ class Screener {
                                  "with --pairs"));
       }
     } catch (const InputError& error) {
-      errors_.push_back(failed(files_[file].loop, {path}, error.what()));
-      broken_[file] = error.what();
+      broken_[file] = screen_advice(error.what(), path);
+      errors_.push_back(failed(files_[file].loop, {path}, broken_[file]));
     }
   }
 
@@ -229,9 +231,10 @@ class Screener {
       } catch (const std::bad_alloc&) {
         throw;
       } catch (const std::exception& error) {
-        if (first_error.empty()) first_error = error.what();
+        const std::string why = screen_advice(error.what(), path);
+        if (first_error.empty()) first_error = why;
         whole = false;
-        broken_parts_[i].push_back(failed(task.name, {path}, error.what()));
+        broken_parts_[i].push_back(failed(task.name, {path}, why));
       }
     }
     try {

@@ -32,11 +32,12 @@ struct ScreeningProgress {
 };
 
 struct Screening {
-  std::vector<ScreenedLoop> loops;    ///< ranked: what costs most first, errors last
-  std::vector<std::string> unpaired;  ///< "FILE: TAG", signals of no loop
-  std::size_t readable = 0;           ///< loops with an answer
-  std::size_t resumed = 0;            ///< of them from the journal
-  std::size_t left_out = 0;           ///< loops not reached when it was stopped
+  std::vector<ScreenedLoop> loops;       ///< ranked: what costs most first, errors last
+  std::vector<std::string> unpaired;     ///< "FILE: TAG", signals of no loop
+  std::vector<std::string> passed_over;  ///< files in folders that were not read
+  std::size_t readable = 0;              ///< loops with an answer
+  std::size_t resumed = 0;               ///< of them from the journal
+  std::size_t left_out = 0;              ///< loops not reached when it was stopped
   bool complete = true;
 };
 

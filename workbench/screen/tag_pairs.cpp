@@ -44,6 +44,10 @@ std::optional<std::string> star_of(const std::string& pattern, const std::string
   return name.substr(star, name.size() - star - behind);
 }
 
+bool is_starred(const PairRules::Rule& rule) {
+  return rule.u.find('*') != std::string::npos;
+}
+
 std::string with_star(const std::string& pattern, const std::string& star) {
   std::string out = pattern;
   return out.replace(out.find('*'), 1, star);
@@ -117,7 +121,17 @@ class Pairer {
     }
   }
 
-  void take_rule(const PairRules::Rule& rule) {
+  // `alone`: the one rule there is; the file names its loop.
+  void take_rule(const PairRules::Rule& rule, bool alone) {
+    if (!is_starred(rule)) {
+      const auto u = find(rule.u);
+      const auto y = find(rule.y);
+      if (u && y && *u != *y) {
+        add({alone ? "" : candidates_[*u].name.text, *u, *y, find(rule.sp),
+             find(rule.x)});
+      }
+      return;
+    }
     const std::string pattern = lower_case(rule.u);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       if (used_[i]) continue;
@@ -162,6 +176,9 @@ class Pairer {
  private:
   [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const {
     if (name.empty()) return std::nullopt;
+    for (std::size_t i = 0; i < candidates_.size() && name[0] == '#'; ++i) {
+      if (name == '#' + std::to_string(candidates_[i].number)) return i;
+    }
     if (const auto at = by_name_.find(lower_case(name)); at != by_name_.end()) {
       return at->second;
     }
@@ -251,15 +268,19 @@ PairRules PairRules::parse(const std::string& text) {
     return read_list(text);
   }
   PairRules out;
+  // A list that is not there is no rule for a column of its name.
+  const bool is_list = lower_case(text).ends_with(".csv");
   for (const std::string& rule : split(text, ',')) {
     const std::vector<std::string> parts = split(rule, '/');
-    const bool starred = std::all_of(parts.begin(), parts.end(), [](const auto& part) {
-      return std::count(part.begin(), part.end(), '*') == 1;
+    const auto stars = std::count(parts[0].begin(), parts[0].end(), '*');
+    const bool alike = std::all_of(parts.begin(), parts.end(), [stars](const auto& part) {
+      return !part.empty() && std::count(part.begin(), part.end(), '*') == stars;
     });
-    if (parts.size() < 2 || parts.size() > 4 || !starred) {
+    if (parts.size() < 2 || parts.size() > 4 || !alike || stars > 1 || is_list) {
       throw std::invalid_argument(
           "--pairs: expected rules such as *.OP/*.PV/*.SP (u, y, perhaps sp and x, one * "
-          "each for the tag), or a CSV file with the columns loop, u, y; found " +
+          "each for the tag) or LV_106/FT_115, or a CSV file with the columns loop, u, "
+          "y; found " +
           workbench::quoted(rule));
     }
     out.rules.push_back(rule_of(parts));
@@ -272,7 +293,9 @@ TagPairs pair_tags(const std::vector<NamedSignal>& candidates, const PairRules& 
   if (!rules.list.empty()) {
     pairer.take_list(rules.list);
   } else {
-    for (const PairRules::Rule& rule : rules.rules) pairer.take_rule(rule);
+    for (const PairRules::Rule& rule : rules.rules) {
+      pairer.take_rule(rule, rules.rules.size() == 1);
+    }
     pairer.take_usual_names();
   }
   return pairer.finish();

@@ -13,7 +13,8 @@ namespace workbench {
 /// How tags are paired beyond the usual names.
 ///
 /// `rules`: u/y, u/y/sp or u/y/sp/x with one * each that stands for the tag, several
-/// separated by commas: "*.OUT/*.PV/*.SP,*_AO/*_PV". They come before the usual names.
+/// separated by commas: "*.OUT/*.PV/*.SP,*_AO/*_PV"; without a * the names themselves,
+/// or #3 for the third column: "LV_106/FT_115". They come before the usual names.
 /// `list`: the loops themselves, by name; nothing else is paired then.
 struct PairRules {
   struct Rule {

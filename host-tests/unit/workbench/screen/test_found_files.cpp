@@ -25,7 +25,9 @@ TEST_F(FoundFilesTest, AFolderMeansItsRecordings) {
   const std::string b = write("b.txt");
   write("notes.pdf");
   write(".hidden/c.csv");
-  EXPECT_EQ(find_files({folder.path()}).files, (std::vector<std::string>{b, a}));
+  const FoundFiles found = find_files({folder.path()});
+  EXPECT_EQ(found.files, (std::vector<std::string>{b, a}));
+  EXPECT_EQ(found.passed_over, std::vector<std::string>{folder.file("notes.pdf")});
 }
 
 TEST_F(FoundFilesTest, PatternsAndListsMeanFilesOnce) {
@@ -35,6 +37,31 @@ TEST_F(FoundFilesTest, PatternsAndListsMeanFilesOnce) {
   const FoundFiles found = find_files({folder.file("a?.csv"), "@" + folder.file("list")});
   EXPECT_EQ(found.files, (std::vector<std::string>{a, b}));
   EXPECT_TRUE(found.problems.empty());
+}
+
+TEST_F(FoundFilesTest, AFolderWithoutRecordingsNamesWhatIsReadAndWhatIsThere) {
+  write("bus.log");
+  write("a.pdf");
+  const FoundFiles found = find_files({folder.path()});
+  ASSERT_EQ(found.problems.size(), 1U);
+  const std::string& what = found.problems[0].what;
+  EXPECT_NE(what.find("*.xlsx"), std::string::npos) << what;
+  EXPECT_NE(what.find("found only a.pdf, bus.log;"), std::string::npos) << what;
+  EXPECT_TRUE(found.passed_over.empty()) << "they are named already";
+}
+
+TEST_F(FoundFilesTest, WhatIsNamedItselfIsNotPassedOver) {
+  write("a.csv");
+  const std::string log = write("table.log");
+  const FoundFiles found = find_files({folder.path(), log});
+  EXPECT_EQ(found.files.size(), 2U);
+  EXPECT_TRUE(found.passed_over.empty());
+}
+
+TEST(NamesOfSome, AreEightAtMost) {
+  EXPECT_EQ(names_of_some({"x/a.log", "b.dbc"}), "a.log, b.dbc");
+  EXPECT_EQ(names_of_some({"1", "2", "3", "4", "5", "6", "7", "8", "9", "10"}),
+            "1, 2, 3, 4, 5, 6, 7, 8 and 2 more");
 }
 
 TEST_F(FoundFilesTest, APathThatLeadsNowhereIsAProblem) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/screen/screen_loop.hpp"
 #include "workbench/simulate/scenarios.hpp"
@@ -32,6 +34,29 @@ TEST(ScreenLoop, SaysWhatIdentifySays) {
       EXPECT_EQ(loop.nats, wanted.pooled().nats);
     }
   }
+}
+
+// y swings about a u that rests, or that climbs in even steps.
+TEST(ScreenLoop, OscillatesOnlyWhereUTurnsBack) {
+  for (const double rise : {0.0, 1.0}) {
+    Recording recording;
+    recording.period_s = 1;
+    for (int t = 0; t < 1000; ++t) {
+      recording.t.push_back(t);
+      recording.u.push_back(40 + rise * (t / 100));
+      recording.y.push_back(50 + std::sin(0.0628 * t));
+    }
+    const ScreenedLoop loop = screen_loop({recording}, {""}, {});
+    EXPECT_EQ(loop.period_s, 0) << rise;
+    EXPECT_EQ(loop.oscillating_share, 0) << rise;
+  }
+}
+
+TEST(ScreenLoop, CountsSamplesThatAreGivenTwiceOnce) {
+  const Recording recording = simulated("stiction", 3);
+  const ScreenedLoop loop =
+      screen_loop({recording, recording, recording}, {"", "", ""}, {});
+  EXPECT_EQ(loop.samples, static_cast<double>(recording.size()));
 }
 
 TEST(ScreenLoop, MonthsMakeATrend) {

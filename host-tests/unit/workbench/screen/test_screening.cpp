@@ -53,6 +53,29 @@ TEST_F(ScreeningTest, TheSameForAnyNumberOfThreadsAndFromFiles) {
   EXPECT_EQ(lines_of(one.out).size(), 4U);
 }
 
+TEST_F(ScreeningTest, WhatIsAdvisedWorks) {
+  const std::string folder = plant({"--files"});
+  std::string rows = "date,FT_115,LV_106\n";
+  for (int k = 10; k < 60; ++k) {
+    rows += "2026-03-04 00:00:" + std::to_string(k) + ',' + std::to_string(k * 3 % 7) +
+            ',' + std::to_string(k * 5 % 11) + '\n';
+  }
+  const std::string csv = write("plant/export.csv", rows);
+  write("plant/bus.log", "(1.0) can0 001#0102\n");
+  const Outcome screened = run({"screen", csv});
+  EXPECT_NE(screened.out.find("--pairs LV_106/FT_115"), std::string::npos)
+      << screened.out;
+  const std::vector<Json> loops =
+      lines_of(run({"screen", csv, "--json", "--pairs", "LV_106/FT_115"}).out);
+  ASSERT_EQ(loops.size(), 1U);
+  EXPECT_TRUE(loops[0]["error"].is_null()) << loops[0];
+  EXPECT_NE(
+      run({"screen", folder}).out.find("1 file of other kinds passed over: bus.log"),
+      std::string::npos);
+  EXPECT_NE(run({"screen", folder + "/bus.log"}).out.find("\n  stickband identify "),
+            std::string::npos);
+}
+
 TEST_F(ScreeningTest, ABadFileIsALineAndNoMore) {
   const std::string folder = plant({"--files"});
   write("plant/broken.csv", "this is no table\n");

@@ -51,6 +51,14 @@ TEST(TagPairs, RulesComeFirstAndKnowNoCase) {
             "fc1=fc1_ao,FC1_ME ?FC2_AO ");
 }
 
+TEST(TagPairs, ARuleWithoutAStarNamesTheSignals) {
+  EXPECT_EQ(paired({"FT_115", "LV_106", "F1.OP", "F1.PV"}, "lv_106/FT_115"),
+            "=LV_106,FT_115 F1=F1.OP,F1.PV ");
+  EXPECT_EQ(paired({"A", "B", "C", "D"}, "B/A,D/C"), "B=B,A D=D,C ");
+  EXPECT_EQ(paired({"A", "B", "C"}, "#3/#1"), "=C,A ?B ");
+  EXPECT_EQ(paired({"A", "B"}, "A/A,A/Z,#7/B"), "?A ?B ");
+}
+
 TEST(TagPairs, CvBesideMvIsADoubt) {
   const TagPairs pairs = pair_tags(tag_signals({"F1.CV", "F1.PV", "F1.MV"}), {});
   EXPECT_TRUE(pairs.loops.empty());
@@ -75,7 +83,9 @@ TEST(TagPairs, AListNamesTheLoops) {
 
 TEST(TagPairs, RulesThatAreNoneAreRefused) {
   EXPECT_THROW((void)PairRules::parse("*.OP"), std::invalid_argument);
-  EXPECT_THROW((void)PairRules::parse("OP/PV"), std::invalid_argument);
+  for (const char* text : {"*.OP/PV", "OP/", "*.*/*.*", "lists/loops.csv"}) {
+    EXPECT_THROW((void)PairRules::parse(text), std::invalid_argument) << text;
+  }
   const TemporaryFolder folder;
   std::ofstream(folder.file("loops.csv")) << "tag,u\nA,B\n";
   EXPECT_THROW((void)PairRules::parse(folder.file("loops.csv")), InputError);
