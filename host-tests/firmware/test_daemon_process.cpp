@@ -107,7 +107,9 @@ TEST_F(Running, NeedsLittleMemory) {
 #endif
   std::string many = text();
   for (int id = 2; id <= 31; ++id) {
-    const std::string loop = text().substr(text().find("[[loop]]"));
+    std::string loop = text().substr(text().find("[[loop]]"));
+    const std::string period = "sample_period_s = 0.5";
+    loop.insert(loop.find(period) + period.size(), std::to_string(10 + id));
     many += "[[loop]]\nid = " + std::to_string(id) + "\ntag = \"L" + std::to_string(id) +
             '"' + loop.substr(loop.find("\nsample_period_s"));
   }

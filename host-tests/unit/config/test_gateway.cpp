@@ -406,6 +406,8 @@ TEST_F(GatewayFile, TwoLoopsHaveOtherSignals) {
   second.replace(second.find("FIC-211"), 7, "FIC-212");
   expect_error(kStart + kLoop + second,
                {"loop[2]: expected signals u and y of its own", "those of loop[1]"});
+  EXPECT_EQ(parse(kStart + kLoop + second + "sample_period_s = 20.0\n").loops.size(), 2U)
+      << "a slower look at it";
 }
 
 TEST_F(GatewayFile, AFileWithoutLoopsOrThatIsMissingIsRefused) {
