@@ -33,7 +33,7 @@ TEST(DbcSignals, AreListedWithThoseThatAreMeant) {
 TEST(DbcSignals, WhoseNamesSayNothingAreOnlyListed) {
   EXPECT_EQ(said_of("BO_ 1 M: 2 X\n SG_ A : 0|8@1+ (1,0) [0|0] \"\" X\n", {Column::u}),
             "--dbc needs --u MESSAGE.SIGNAL: p.dbc has the signals 'M.A'");
-  EXPECT_EQ(said_of("VERSION \"\"\n", {Column::u}),
+  EXPECT_EQ(said_of("BO_ 1 M: 2 X\n", {Column::u}),
             "--dbc needs --u MESSAGE.SIGNAL: p.dbc has no signals");
   EXPECT_THROW((void)missing_dbc_signals("/no/such.dbc", {Column::u}), InputError);
 }

