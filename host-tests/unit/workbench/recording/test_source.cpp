@@ -111,7 +111,8 @@ TEST_F(SourceTest, TheSpanIsThatOfTheConfiguredLoop) {
   source.config = file("g.toml",
                        "[bus.can0]\nbackend = \"socketcan\"\ninterface = \"can0\"\n"
                        "[[loop]]\nid = 1\ntag = \"A\"\nspan = [-20, 60]\n" +
-                           signals + "[[loop]]\nid = 2\ntag = \"B\"\n" + signals);
+                           signals + "[[loop]]\nid = 2\ntag = \"B\"\n" + signals +
+                           "sample_period_s = 2.0\n");
   source.loop = 1;
   EXPECT_EQ(configured_span(source), (std::array<double, 2>{-20, 60}));
   source.loop = 2;
