@@ -1,6 +1,7 @@
 #include "workbench/recording/dbc_signals.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "config/dbc_storage.hpp"
 #include "wire/dbc.hpp"
@@ -11,15 +12,12 @@
 namespace workbench {
 namespace {
 
-std::vector<NamedSignal> signals_of(const std::string& path) {
+// Nothing where the file is not there or is no DBC file: what is wrong with the command
+// comes first.
+std::optional<std::vector<NamedSignal>> signals_of(const std::string& path) try {
   const std::string text = read_text_file(path, config::DbcStorage::kMaxBytes);
   const config::DbcStorage storage(text);
-  const wire::DbcStatus& status = storage.status();
-  if (!status.ok()) {
-    throw InputError(path, status.line, status.column, wire::expected_at(status.error),
-                     status.found.empty() ? "nothing" : quoted(status.found),
-                     "repair the DBC file there");
-  }
+  if (!storage.status().ok()) return std::nullopt;
   std::vector<NamedSignal> out;
   const wire::Dbc& dbc = storage.content();
   for (const wire::DbcMessage& message : dbc.messages()) {
@@ -32,13 +30,16 @@ std::vector<NamedSignal> signals_of(const std::string& path) {
     }
   }
   return out;
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::string missing_dbc_signals(const std::string& dbc_path,
                                 const std::vector<Column>& missing) {
-  const std::vector<NamedSignal> signals = signals_of(dbc_path);
+  const std::optional<std::vector<NamedSignal>> read = signals_of(dbc_path);
+  const std::vector<NamedSignal> signals = read.value_or(std::vector<NamedSignal>{});
   std::string needed;
   std::string options;
   for (const Column column : missing) {
@@ -51,6 +52,7 @@ std::string missing_dbc_signals(const std::string& dbc_path,
     const auto one = std::find_if(signals.begin(), signals.end(), meant);
     options += (options.empty() ? "" : " ") + option + ' ' + one->name.text;
   }
+  if (!read) return "--dbc needs " + needed;
   const std::string have =
       signals.empty() ? " has no signals" : " has the signals " + list_of(signals);
   return "--dbc needs " + needed + ": " + dbc_path + have +
