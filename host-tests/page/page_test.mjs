@@ -206,7 +206,7 @@ const tests = {
     await page.getByRole('button', {name: 'Undo'}).click();
     await page.waitForFunction(() => document.getElementById('undo').disabled);
     await page.getByRole('button', {name: 'Do all steps'}).click();
-    await page.waitForSelector('#added:text("Undo takes back one at a time")');
+    await page.waitForSelector('#added:text("Undo takes back one")');
     const models = (await served.api('models')).models.length;
     check(models > 2 && await steps() === await points(), models, 'models', await points(), 'points');
     await page.getByRole('button', {name: 'Undo'}).click();

@@ -115,7 +115,6 @@ int explain_with(const ModelOptions& options) {
                             lacking != nullptr ? lacking->effect : std::string());
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
-  if (!unused.names.empty()) json["unused"] = unused_json(unused);
   const SearchSoFar so_far{
       ladder_words(options), model.effect_codes(), {}, !unused.names.empty()};
   print(options.json ? json_line(json)

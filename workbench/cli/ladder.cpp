@@ -150,7 +150,6 @@ int climb(const ModelOptions& options) {
   const std::string kept = saved(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);
-  if (!unused.names.empty()) json["unused"] = unused_json(unused);
   const SearchSoFar so_far{ladder_words(options), result.model.effect_codes(),
                            ladder.with, !unused.names.empty()};
   print(options.json

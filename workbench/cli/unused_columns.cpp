@@ -111,13 +111,4 @@ UnusedColumns complain_about_unused(const ReadRecordings& read, const Model& mod
   return out;
 }
 
-nlohmann::ordered_json unused_json(const UnusedColumns& unused) {
-  const auto helps = [&unused]() -> nlohmann::ordered_json {
-    if (!unused.helps) return nullptr;
-    return {{"column", unused.helps->name},
-            {"error_reduction_percent", 100 * unused.helps->share}};
-  };
-  return {{"columns", unused.names}, {"helps", helps()}};
-}
-
 }  // namespace workbench::cli

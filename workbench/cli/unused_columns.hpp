@@ -1,7 +1,6 @@
 // Measured signals of a recording that nobody asked for.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +34,6 @@ struct UnusedColumns {
 /// Which were not used, the first three by name, and what tries them, or the one that
 /// helps; "" where there are none.
 [[nodiscard]] std::string note_on_unused(const UnusedColumns& unused);
-/// `{"columns":[..],"helps":{"column":..,"error_reduction_percent":..}|null}`.
-[[nodiscard]] nlohmann::ordered_json unused_json(const UnusedColumns& unused);
 
 /// Complains with that note of those of `read`, of the one that would help `model` most
 /// (helpful_load.hpp). `lacks`: an effect that hides what a load does as long as the

@@ -27,13 +27,6 @@ TEST(UnusedColumns, AreNamedWithTheOptionThatTriesThem) {
   EXPECT_NE(all.find("would take away 100 % of"), std::string::npos) << all;
 }
 
-TEST(UnusedColumns, StandInJson) {
-  EXPECT_EQ(unused_json({}).dump(), R"({"columns":[],"helps":null})");
-  EXPECT_EQ(unused_json({{"a", "b"}, HelpfulLoad{"b", 0.5}}).dump(),
-            R"({"columns":["a","b"],"helps":{"column":"b",)"
-            R"("error_reduction_percent":50.0}})");
-}
-
 TEST(UnusedColumns, AreThoseThatMayBeALoad) {
   ReadRecordings read;
   read.unused = {{"spare", "", {4, 4, 4}}, {"T1 Setpoint (°C)", "", {1, 2, 3}}};
@@ -97,8 +90,6 @@ TEST_F(UnusedColumnsCli, MayHelpOnlyBehindAnotherEffect) {
   const Outcome said = run({"explain", write("amb.csv", text), "--json"});
   EXPECT_NE(said.err.find("as a load amb would take away"), std::string::npos)
       << said.err;
-  EXPECT_NE(said.out.find(R"("unused":{"columns":["amb"],"helps":{"column":"amb")"),
-            std::string::npos);
 }
 
 }  // namespace
