@@ -101,26 +101,6 @@ bool same_signal(const Source& a, const Source& b) {
          s.multiplexed == t.multiplexed && s.multiplex_value == t.multiplex_value;
 }
 
-// Two loops that read one u and one y at one rate are one loop.
-void check_loops_differ(const Gateway& gateway, Complaints& complaints) {
-  for (std::size_t k = 1; k < gateway.loops.size(); ++k) {
-    const Loop& loop = gateway.loops[k];
-    for (std::size_t before = 0; before < k; ++before) {
-      const Loop& other = gateway.loops[before];
-      if (!same_signal(loop.u, other.u) || !same_signal(loop.y, other.y) ||
-          loop.sample_period_s != other.sample_period_s) {
-        continue;
-      }
-      complaints.add(loop.place.line, loop.place.key,
-                     "expected signals u and y of its own, found both those of " +
-                         other.place.key +
-                         "; name its own, or another sample_period_s, or remove one of "
-                         "them");
-      break;
-    }
-  }
-}
-
 template <class Key>
 void claim_once(std::map<Key, std::string>& taken, const Key& key, const Place& place,
                 const std::string& what, Complaints& complaints) {
@@ -191,7 +171,6 @@ void check_paths(const Gateway& gateway, Complaints& complaints) {
 }  // namespace
 
 void check_consistency(const Gateway& gateway, Complaints& complaints) {
-  check_loops_differ(gateway, complaints);
   std::map<int, std::string> loop_ids;
   std::map<std::string, std::string> tags;
   std::map<std::pair<std::string, unsigned>, std::string> lines;

@@ -6,9 +6,9 @@
 
 namespace config {
 
-/// Complains of loops with one id or tag, or with u, y and rate in common, flags on one
-/// line, identifiers with two meanings on one bus, signals that serve twice in a loop,
-/// and files to be written that serve another purpose too.
+/// Complains of loops with one id or tag, flags on one line, identifiers with two
+/// meanings on one bus, signals that serve twice in a loop, and files to be written that
+/// serve another purpose too.
 void check_consistency(const Gateway& gateway, Complaints& complaints);
 
 }  // namespace config

@@ -400,16 +400,6 @@ TEST_F(GatewayFile, ALineThatIsNoTomlIsTakenForWhatItMeans) {
                {"g.toml:9: expected a number with a decimal point, found 1,0"});
 }
 
-TEST_F(GatewayFile, TwoLoopsHaveOtherSignals) {
-  std::string second = kLoop;
-  second.replace(second.find("id = 1"), 6, "id = 2");
-  second.replace(second.find("FIC-211"), 7, "FIC-212");
-  expect_error(kStart + kLoop + second,
-               {"loop[2]: expected signals u and y of its own", "those of loop[1]"});
-  EXPECT_EQ(parse(kStart + kLoop + second + "sample_period_s = 20.0\n").loops.size(), 2U)
-      << "a slower look at it";
-}
-
 TEST_F(GatewayFile, AFileWithoutLoopsOrThatIsMissingIsRefused) {
   expect_error(kStart, {"loop: expected 1 to 31 tables [[loop]], found 0"});
   EXPECT_THROW((void)read_gateway(folder + "no-such.toml"), ConfigError);
