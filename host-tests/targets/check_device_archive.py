@@ -29,7 +29,6 @@ DOUBLE = {
                            "decides in both precisions",
     "better_in_most_cycles<float>": "the same",
     "confirmation<float>": "the same",
-    "convinces<float>": "the same",
     "nothing_found<float>": "the same",
     "qualified<float>": "the same",
     "steadily_better<float>": "the same",
