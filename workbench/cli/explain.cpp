@@ -110,9 +110,8 @@ int explain_with(const ModelOptions& options) {
   complain_about_unlike(recording, model.output, result.recordings);
   complain_about_left_behind(model, recording);
   const Candidate* lacking = time_was_up ? nullptr : result.best();
-  const UnusedColumns unused =
-      complain_about_unused(read, model, Work::unlimited(),
-                            lacking != nullptr ? lacking->effect : std::string());
+  const UnusedColumns unused = complain_about_unused(
+      read, model, work, lacking != nullptr ? lacking->effect : std::string());
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
   const SearchSoFar so_far{

@@ -14,9 +14,8 @@ constexpr Description kDescription{
     .signature = kLagSignature,
     .cure =
         "Check the positioner: supply pressure, pilot valve, gain; a slow one limits "
-        "the loop. Where the process has next to no lag of its own beside it, the lag "
-        "may "
-        "be the process's, and the curve that of its output or of the sensor.",
+        "the loop. Where the process has next to no lag of its own beside it, the "
+        "lag may be the process's, and the curve that of its output or of the sensor.",
     .split = "log the stem position",
 };
 

@@ -17,9 +17,8 @@ constexpr Description kDescription{
     .signature = "grows while u keeps moving one way faster than the stem can",
     .cure =
         "Check air supply, boosters and tubing of the slow stroke; a leaking "
-        "diaphragm shows on one stroke only. A dead time that is longer at low flow, or "
-        "a "
-        "process that rises faster than it falls, looks alike: watch the stem.",
+        "diaphragm shows on one stroke only. A dead time that is longer at low flow, "
+        "or a process that rises faster than it falls, looks alike: watch the stem.",
     .split = "one slow and one fast stroke: a rate limit vanishes on the slow one",
     .limits = true,
 };

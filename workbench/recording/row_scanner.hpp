@@ -18,10 +18,10 @@ namespace workbench {
 /// Walks through the rows behind the header. In a plain file every row has as many cells
 /// as the header, and no empty line stands between rows; but a last one without a line
 /// end, of a file that was cut off, may be too short: it is left out, and noted. In an
-/// export empty lines are
-/// skipped, cells beyond the header may be empty, cells may lack at the end where
-/// nothing wanted stands, and up to kMostFooterLines lines at the end may be no rows at
-/// all (a count of rows, a signature): they are noted. About 1 ns a byte.
+/// export empty lines are skipped, cells beyond the header may be empty, cells may lack
+/// at the end where nothing wanted stands, and up to kMostFooterLines lines at the end
+/// may be no rows at all (a count of rows, a signature): they are noted. About 1 ns a
+/// byte.
 inline constexpr std::size_t kMostFooterLines = 5;
 
 class RowScanner {

@@ -143,8 +143,8 @@ std::string panel_text(const Panel& panel, const Comparison& comparison) {
                ? std::ranges::any_of(panel.curve->mean, beyond)
                      ? "The residual still follows u, beyond chance."
                      : "The residual still follows u, beyond chance: no bar alone "
-                       "reaches "
-                       "the dashed lines, but all of them together do not come by chance."
+                       "reaches the dashed lines, but all of them together do not come "
+                       "by chance."
                : "The residual does not follow u: bars beyond the dashed lines are "
                  "chance, or u answering the output.";
   }
