@@ -26,9 +26,9 @@ template <std::size_t N>
   return bins;
 }
 
-/// Together they reach one cycle back at kEvidencePerCycle samples a cycle (E10): what
-/// repeats with the cycle is known from the past, not from a stem. Few enough for the
-/// search of a stem, which weighs hundreds, too.
+/// Together they reach half a cycle back at least (E10): what changes with the cycle is
+/// known from the past, not from a stem. Few enough for the search of a stem, which
+/// weighs hundreds, too.
 inline constexpr std::array kCoarseLagBins =
     bins_up_to({1, 2, 3, 4, 5, 6, 8, 11, 15, 22, 34, 60});
 /// What decides: a cycle of up to 16 samples is known from the past in every detail. By
@@ -46,8 +46,9 @@ inline constexpr std::span<const LagBin> kLadderLagBins =
 inline constexpr std::span<const LagBin> kLagBins =
     kStemSearch ? std::span<const LagBin>(kFineLagBins) : kLadderLagBins;
 
-/// Samples a cycle to which a window is thinned out before it is predicted.
-inline constexpr int kEvidencePerCycle = 60;
+/// Samples a cycle to which a window is thinned out before it is predicted. A mean of
+/// many smears the slip of a stem; a bare board has no time for more.
+inline constexpr int kEvidencePerCycle = kStemSearch ? 120 : 60;
 
 /// Those of `bins` that a window of so many samples bears: an eighth of it may be the
 /// past of its first prediction. At least 4.

@@ -25,8 +25,8 @@ TEST_P(LagBins, GrowWithTheirAge) {
   }
 }
 
-TEST_P(LagBins, ReachOneCycleBack) {
-  EXPECT_EQ(GetParam().back().last, kEvidencePerCycle);
+TEST_P(LagBins, ReachHalfACycleBack) {
+  EXPECT_EQ(GetParam().back().last, kEvidencePerCycle / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(CoarseAndFine, LagBins,
