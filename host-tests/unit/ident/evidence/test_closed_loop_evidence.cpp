@@ -286,11 +286,12 @@ TEST(ClosedLoopEvidence, BearsEverySecondSample) {
   }
 }
 
-// The period is that of the loop, some hundred samples; 60 of them would be enough.
 TEST(ClosedLoopEvidence, ThinsOutALongWindow) {
   Asked<double> asked(sticking(6, 8000));
+  asked.movement.period *= 2;  // of some hundred samples few are more than are needed
   const LadderFinding<double> found = asked.climb();
-  const auto thinning = static_cast<std::size_t>(asked.movement.period / 60);
+  const auto thinning =
+      static_cast<std::size_t>(asked.movement.period / kEvidencePerCycle);
   EXPECT_GT(thinning, 1u);
   EXPECT_LE(found.predicted, 8000 / thinning);
   EXPECT_GE(found.predicted, 8000 / thinning - 60);
