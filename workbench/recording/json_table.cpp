@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "workbench/recording/column_name.hpp"
 #include "workbench/recording/parsed_json.hpp"
 
 namespace workbench {
@@ -158,9 +159,10 @@ std::vector<std::string> telling_labels(const std::vector<Json>& labels) {
   return out;
 }
 
-// FIC101.op: the labels that tell a series from others, and its name.
+// FIC101.op: the labels that tell a series from others, and its name; without the name
+// of a metric that all series have.
 std::string tag_of(const Json& series, const char* name, const Json& labels,
-                   const std::vector<std::string>& telling) {
+                   const std::vector<std::string>& telling, bool one_metric) {
   std::string tag;
   const auto add = [&tag](const Json& part) {
     const std::string text = cell_of(part);
@@ -172,7 +174,7 @@ std::string tag_of(const Json& series, const char* name, const Json& labels,
   const Json& of = series[name];
   if (!of.is_object()) {
     add(of);
-  } else if (of.contains("__name__")) {
+  } else if (of.contains("__name__") && (tag.empty() || !one_metric)) {
     add(of["__name__"]);
   }
   return tag.empty() ? of.dump() : tag;
@@ -187,10 +189,20 @@ bool add_series(const Json& series, const char* rows, const char* name, Rows& ou
     labels.push_back(labels_of(one, name));
   }
   const std::vector<std::string> telling = telling_labels(labels);
+  const auto metric_of = [](const Json& of) {
+    return of.contains("__name__") ? of["__name__"] : Json();
+  };
+  // A metric "op" of several loops still says what the value is.
+  const Json metric = labels.empty() ? Json() : metric_of(labels.front());
+  const bool one_metric =
+      !metric.is_null() && !is_signal(column_name(cell_of(metric)).part) &&
+      std::all_of(labels.begin(), labels.end(),
+                  [&](const Json& of) { return metric_of(of) == metric; });
   for (std::size_t i = 0; i < series.size(); ++i) {
     std::vector<std::string> names = names_in(series[i]);
     if (names.empty()) names = {"time", "value"};
-    add_rows(series[i][rows], names, tag_of(series[i], name, labels[i], telling), out);
+    add_rows(series[i][rows], names,
+             tag_of(series[i], name, labels[i], telling, one_metric), out);
   }
   return true;
 }
@@ -265,6 +277,24 @@ bool add_home_assistant(const Json& root, Rows& out) {
   return true;
 }
 
+// {"op": [{"ts": 1773475200000, "value": "4.5"}, ...], ...}, as ThingsBoard has it.
+bool add_keys(const Json& root, Rows& out) {
+  if (!root.is_object() || !all_of_kind(root, &Json::is_array)) return false;
+  for (const Json& samples : root) {
+    const bool fits = std::all_of(samples.begin(), samples.end(), [](const Json& one) {
+      return one.is_object() && one.contains("ts") && one.contains("value") &&
+             one["ts"].is_primitive() && one["value"].is_primitive();
+    });
+    if (!fits) return false;
+  }
+  for (const auto& [key, samples] : root.items()) {
+    for (const Json& one : samples) {
+      out.add_array({one["ts"], one["value"]}, {"time", "value"}, key);
+    }
+  }
+  return true;
+}
+
 // {"t": [...], "u": [...]} or {"t": {"0": ...}, "u": {"0": ...}}
 bool add_columns(const Json& root, Rows& out) {
   if (root.size() < 2) return false;
@@ -300,7 +330,7 @@ bool add_table(const Json& root, Rows& out) {
   if (add_home_assistant(root, out)) return true;
   if (root.is_array()) return add_rows(root, {}, "", out);
   if (!root.is_object()) return false;
-  if (add_known_series(root, out)) return true;
+  if (add_known_series(root, out) || add_keys(root, out)) return true;
   for (const char* under : kRowsUnder) {
     if (root.contains(under) && add_rows(root[under], names_in(root), "", out)) {
       return true;

@@ -40,6 +40,8 @@ constexpr std::string_view kUnpack = "unpack it, and open the file in it";
 constexpr std::string_view kConvertCan =
     "write it as a candump log, in Python: can_logconvert FILE loop.log, and give --dbc";
 
+constexpr std::string_view kQuery = "write the result of a query on the table as CSV";
+
 constexpr std::string_view kSaveCan = "save it there as a candump log, and give --dbc";
 
 constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
@@ -60,6 +62,10 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
     {";$FILEVERSION="sv, "a CAN trace of PEAK (TRC)", kConvertCan},
     {"Time Stamp,ID,Extended"sv, "a CAN log of SavvyCAN (CSV)", kSaveCan},
     {"timestamp,arbitration_id,"sv, "a CAN log of python-can (CSV)", kConvertCan},
+    {"INSERT INTO "sv, "SQL statements", kQuery},
+    {"CREATE TABLE "sv, "SQL statements", kQuery},
+    {"-- MySQL dump"sv, "SQL statements", kQuery},
+    {"--\n-- PostgreSQL database dump"sv, "SQL statements", kQuery},
     {"***BUSMASTER"sv, "a CAN log of BUSMASTER", kSaveCan},
     {"MDF     "sv, "a measurement file (MDF)",
      "write the loop's signals as CSV, in Python: asammdf.MDF(FILE).export('csv')"},

@@ -91,6 +91,19 @@ TEST(JsonTable, LabelsTellSeriesOfOneName) {
       "tag\ttime\tvalue\nA.op\t1\t4\nB.op\t1\t5\n");
 }
 
+TEST(JsonTable, AMetricThatAllSeriesHaveNamesNone) {
+  EXPECT_EQ(
+      json_text(R"({"data":{"result":[{"metric":{"__name__":"loop_value","s":"op"},)"
+                R"("values":[[1,"4"]]},{"metric":{"__name__":"loop_value","s":"pv"},)"
+                R"("values":[[1,"5"]]}]}})"),
+      "tag\ttime\tvalue\nop\t1\t4\npv\t1\t5\n");
+}
+
+TEST(JsonTable, OfKeysWithSamples) {
+  EXPECT_EQ(json_text(R"({"op":[{"ts":1,"value":"4"}],"pv":[{"ts":1,"value":"5"}]})"),
+            "tag\ttime\tvalue\nop\t1\t4\npv\t1\t5\n");
+}
+
 TEST(JsonTable, NaNIsAGap) {
   EXPECT_EQ(json_text(R"([{"t":0,"u":1.5,"y":2},{"t":1,"u":1.6,"y":NaN}])"), kTable);
   EXPECT_EQ(json_text(R"([{"a":"NaN","b":NaN}])"), "a\tb\nNaN\t\n");
