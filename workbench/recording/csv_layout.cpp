@@ -136,6 +136,27 @@ void check_quality(const LineTable& table, std::size_t column, ColumnName& name)
   name.prefix.clear();
 }
 
+// "NO.", "Time", "ms", "degC", "V" under "Number", "Date&Time", "ms", "CH1", "CH2": units
+// wherever numbers are measured, under a line of as many names.
+bool is_units_of(const LineTable& table, std::size_t line) {
+  const std::vector<LineCell>& cells = table.cells(line);
+  const std::vector<LineCell>& names = table.cells(line - 1);
+  if (cells.size() != names.size() || cells.size() < table.width()) return false;
+  std::size_t units = 0;
+  for (std::size_t c = 0; c < table.width(); ++c) {
+    const Part part = column_name(cells[c].text).part;
+    const bool measured = table.content(c) == Content::kNumber && !table.counts(c) &&
+                          part != Part::kTime && part != Part::kMillis;
+    if (!measured) continue;
+    if (!is_unit(cells[c].text) || names[c].text.empty() || is_unit(names[c].text) ||
+        kind_of(names[c].text) != CellKind::kText) {
+      return false;
+    }
+    ++units;
+  }
+  return units > 1;
+}
+
 class LayoutFinder {
  public:
   LayoutFinder(std::string_view text, const std::string& file, const LayoutWish& wish)
@@ -294,11 +315,9 @@ class LayoutFinder {
     const std::size_t highest = first_row > kHeaderLines ? first_row - kHeaderLines : 0;
     for (std::size_t i = first_row; i-- > highest;) {
       const std::vector<LineCell>& cells = best->cells(i);
-      const std::size_t needed = best->width() > 2 ? 2 : 1;
-      const auto filled = static_cast<std::size_t>(
-          std::count_if(cells.begin(), cells.end(),
-                        [](const LineCell& cell) { return !cell.text.empty(); }));
-      if (!best->is_text(i) || filled < std::min(needed, best->width())) continue;
+      const auto empty = std::ranges::count(cells, "", &LineCell::text);
+      const std::size_t filled = cells.size() - static_cast<std::size_t>(empty);
+      if (!best->is_text(i) || filled < (best->width() > 2 ? 2U : 1U)) continue;
       if (cells.size() + 1 < best->width() && i + 1 < first_row) continue;
       const std::size_t of_line = header_merit(cells, wish_);
       if (of_line > merit || (of_line == merit && header == first_row)) {
@@ -309,6 +328,8 @@ class LayoutFinder {
     if (header + 1 < first_row &&
         stand_under(best->cells(header + 1), best->cells(header))) {
       ++header;
+    } else if (header > highest && header < first_row && is_units_of(*best, header)) {
+      --header;
     }
     if (header == first_row) {
       take_names(names_without_header(*best), out_);

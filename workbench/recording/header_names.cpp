@@ -17,6 +17,29 @@ bool names_next(const LineTable& table, const std::vector<LineCell>& cells,
          table.held(c) == 1 && column_name(cells[c].text).part != Part::kNone;
 }
 
+// FIC101.OP,,FIC101.PV,: names over the times of values that have their own, as PI
+// DataLink puts them, moved to the values.
+void move_from_times(const LineTable& table, std::vector<LineCell>& names) {
+  if (names.size() != table.width()) return;
+  std::vector<std::size_t> times;
+  for (std::size_t c = 0; c + 1 < names.size(); ++c) {
+    const bool once = table.content(c) == Content::kNothing &&
+                      kind_of(table.first(c)) == CellKind::kDateTime;
+    if (table.content(c) != Content::kDateTime && !once) continue;
+    const Content behind = table.content(c + 1);
+    const bool over = !names[c].text.empty() && names[c + 1].text.empty() &&
+                      column_name(names[c].text).part != Part::kTime &&
+                      (behind == Content::kNumber || behind == Content::kNothing);
+    if (!over) return;
+    times.push_back(c);
+  }
+  if (times.size() < 2) return;
+  for (const std::size_t c : times) {
+    names[c + 1] = names[c];
+    names[c].text = "Time";
+  }
+}
+
 }  // namespace
 
 std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
@@ -27,6 +50,7 @@ std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
   if (blanks && names.size() > width && (names[0].text == "#" || names[0].text == "%")) {
     names.erase(names.begin());
   }
+  move_from_times(table, names);
   if (names.size() >= width || !table.even()) return names;
   std::vector<LineCell> spread;
   std::size_t taken = 0;

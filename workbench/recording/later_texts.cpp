@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/long_format.hpp"
 #include "workbench/recording/named_signal.hpp"
@@ -27,12 +28,32 @@ bool may_change(const CsvLayout& layout, const LayoutColumn& column) {
          (is_lone_text(layout) && may_name_tag(column.first));
 }
 
+// Page 3, Page 3 of 30, - Seite 3/30 -, with the separators of empty cells around.
+bool numbers_page(std::string_view line) {
+  constexpr std::string_view kAround = " \t,;|\"-";
+  const std::size_t begin = line.find_first_not_of(kAround);
+  if (begin == std::string_view::npos || line.size() > 80) return false;
+  line = line.substr(begin, line.find_last_not_of(kAround) - begin + 1);
+  const std::string lower = lower_case(line);
+  for (const std::string_view word :
+       {"page ", "seite ", "pagina ", "p\xC3\xA1gina ", "strona ", "sida ", "side "}) {
+    if (!lower.starts_with(word)) continue;
+    const std::string_view rest = std::string_view(lower).substr(word.size());
+    const auto letters = std::count_if(rest.begin(), rest.end(),
+                                       [](char c) { return c >= 'a' && c <= 'z'; });
+    return !rest.empty() && is_digit(rest[0]) && letters <= 3 &&  // of, von, sur
+           rest.find_first_of(",;:\t|.") == std::string_view::npos;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool heads_again(std::string_view line, const std::string& header) {
   line = trimmed(line);
   return line.starts_with("#group,") || line.starts_with("#datatype,") ||
-         line.starts_with("#default,") || (!header.empty() && line == header);
+         line.starts_with("#default,") || (!header.empty() && line == header) ||
+         numbers_page(line);
 }
 
 LaterTexts::LaterTexts(const CsvLayout& layout, const std::string& file)

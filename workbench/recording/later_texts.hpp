@@ -11,7 +11,8 @@
 
 namespace workbench {
 
-/// The line is the header once more, or an annotation of InfluxDB above one.
+/// The line is the header once more, an annotation of InfluxDB above one, or the number
+/// of a page.
 [[nodiscard]] bool heads_again(std::string_view line, const std::string& header);
 
 /// Sets LayoutColumn::changes_later: tags, of a file without a header texts that name a

@@ -47,6 +47,20 @@ std::string rows_of(const std::string& row) {
   return text;
 }
 
+TEST(CsvLayout, UnitsMayLookLikeNames) {
+  const std::string file = "a.csv";
+  std::string text = "Number,Date&Time,ms,CH1,CH2\nNO.,Time,ms,degC,V\n";
+  for (int i = 10; i < 40; ++i) {
+    text += std::to_string(i) + ",2026/05/13 06:00:" + std::to_string(i) + ",000,+4" +
+            std::to_string(i % 7) + ",+6" + std::to_string(i % 5) + '\n';
+  }
+  const CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
+  EXPECT_EQ(layout.header_line, 1U);
+  ASSERT_EQ(layout.columns.size(), 5U);
+  EXPECT_EQ(layout.columns[3].name.text, "CH1");
+  EXPECT_EQ(layout.columns[3].name.unit, "degC");
+}
+
 TEST(CsvLayout, RowsMayNameTheirOwnNumbers) {
   EXPECT_EQ(names_of(layout(rows_of(";A.OP;1.5;A.PV;2.5;\n"))),
             "#1[] #2[] A.OP[] #4[] A.PV[]");

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "workbench/recording/header_names.hpp"
 
 namespace workbench {
@@ -18,6 +20,21 @@ TEST(HeaderNames, StandUnderThoseAbove) {
   EXPECT_EQ(columns[0].name.text, "Time");
   EXPECT_EQ(columns[1].name.text, "A.OP Value");
   EXPECT_EQ(columns[2].name.part, Part::kY);
+}
+
+TEST(HeaderNames, MoveFromTimesToTheirValues) {
+  std::string text = "A.OP,,A.PV,\n";
+  for (int i = 10; i < 40; ++i) {
+    const std::string time = "2026-05-13 06:00:" + std::to_string(i);
+    text +=
+        time + ",4" + std::to_string(i) + ',' + time + ",6" + std::to_string(i) + '\n';
+  }
+  const std::string file = "a.csv";
+  const CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
+  ASSERT_EQ(layout.columns.size(), 4U);
+  EXPECT_EQ(layout.columns[0].name.part, Part::kTime);
+  EXPECT_EQ(layout.columns[1].name.text, "A.OP");
+  EXPECT_EQ(layout.columns[3].name.text, "A.PV");
 }
 
 TEST(HeaderNames, ATitleIsNoneOfThem) {

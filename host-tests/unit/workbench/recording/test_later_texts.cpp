@@ -19,6 +19,16 @@ std::string rows_of_tag(const std::string& tag, const std::string& status) {
   return out;
 }
 
+TEST(LaterTexts, NumbersOfPagesAreNoRows) {
+  for (const char* line :
+       {"Page 1 of 30,,,", "Seite 3/30", "\t\tPage 12", "- Page 4 -"}) {
+    EXPECT_TRUE(heads_again(line, "")) << line;
+  }
+  for (const char* line : {"Page,1,2", "Side 1.5", "Page 1;2;3", "Pages", "Page", ""}) {
+    EXPECT_FALSE(heads_again(line, "")) << line;
+  }
+}
+
 TEST(LaterTexts, OnlyTagsMayChange) {
   const CsvLayout layout = layout_of(
       "Tag,Time,Value,Text\n" + rows_of_tag("A.OP", "x") + rows_of_tag("A.PV", "z"),
