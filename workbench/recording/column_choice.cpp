@@ -8,6 +8,7 @@
 #include "workbench/recording/long_format.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/own_times.hpp"
+#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_keys.hpp"
 
 namespace workbench {
@@ -65,7 +66,7 @@ class ColumnChooser {
     std::vector<std::size_t> keys = {found->tag};
     if (found->parameter) keys.push_back(*found->parameter);
     out_.keys = row_keys(layout_, times, keys);
-    out_.values = {{found->value, found->quality}};
+    out_.values = {{found->value, found->quality, found->whole}};
     out_.unit = found->unit;
     return true;
   }
@@ -83,8 +84,12 @@ class ColumnChooser {
       const Part part = candidates_[i].name.part;
       const bool is_key =
           std::find(out_.keys.begin(), out_.keys.end(), i) != out_.keys.end();
-      if (candidates_[i].measured && !is_key && part != Part::kQuality) {
-        out_.values.push_back({i, quality_of(i)});
+      // 0 in all rows beside other numbers, without a name: a state of theirs.
+      const auto code = as_number(columns_[i].first);
+      const bool state = layout_.header.empty() && columns_[i].rests() && code &&
+                         is_quality_code(*code) && !out_.values.empty();
+      if (candidates_[i].measured && !is_key && part != Part::kQuality && !state) {
+        out_.values.push_back({i, quality_of(i), {}});
       }
     }
     return !out_.values.empty();

@@ -33,6 +33,7 @@ struct ColumnChoice {
   struct Value {
     std::size_t column = 0;
     std::optional<std::size_t> quality;
+    std::optional<std::size_t> whole;  ///< the column of values that are whole numbers
   };
   std::vector<std::size_t> keys;    ///< kLong: their texts with points between: the tag
   std::vector<Value> values;        ///< kLong; of several the names follow the keys

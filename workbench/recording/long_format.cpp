@@ -19,6 +19,10 @@ using namespace std::string_view_literals;
 constexpr std::array kNumbersOfTags = {"tagid"sv,   "tagindex"sv, "tagno"sv, "itemid"sv,
                                        "pointid"sv, "sensorid"sv, "nodeid"sv};
 
+// Where a table has a column for values of each type.
+constexpr std::array kFractions = {"floatvalue"sv, "doublevalue"sv};
+constexpr std::array kWholes = {"intvalue"sv, "longvalue"sv, "integervalue"sv};
+
 constexpr std::array kUnits = {
     "unit"sv,     "units"sv, "uom"sv,      "engunit"sv,
     "engunits"sv, "eu"sv,    "unitname"sv, "engineeringunits"sv,
@@ -49,6 +53,10 @@ class LongFinder {
     LongFormat out;
     out.tag = *tag;
     out.value = *value;
+    if (is_one(columns_[*value].name.key, kFractions)) {
+      out.whole =
+          first([](const LayoutColumn& c) { return is_one(c.name.key, kWholes); }, true);
+    }
     take_parameter(out);
     out.unit = first(
         [this, &out](const LayoutColumn& c) {

@@ -15,6 +15,7 @@ struct LongFormat {
   std::size_t tag = 0;
   std::optional<std::size_t> parameter;  ///< of the tag, in a column of its own
   std::size_t value = 0;
+  std::optional<std::size_t> whole;  ///< values of tags that are whole numbers
   std::optional<std::size_t> quality;
   std::optional<std::size_t> unit;  ///< of the value, in words
 };
@@ -29,7 +30,8 @@ struct LongFormat {
 /// them. The tag column has a name of tags, or is the only kind of text that changes; of
 /// numbers only by a name of numbered tags. A column of parameters beside it names what
 /// of the tag is meant: FIC101 and OP. The value column has a name of values, or one of
-/// the process value, or is an average, or is the only one of numbers. Without a header
+/// the process value (with one of whole numbers beside it, as Ignition stores them), or
+/// is an average, or is the only one of numbers. Without a header
 /// the first text column is that of the tags where its first cell names a signal, or may
 /// name a tag and stands beside a time and a number alone.
 /// `times`: the columns that make the time of a row, at least one.

@@ -124,7 +124,7 @@ class StreamReader {
         }
         rows.accept();
         if (unit) check_unit(rows, *unit, stream);
-        add_sample(rows, stream, slots, values[i].value, values[i].quality);
+        add_sample(rows, stream, slots, values[i].in(rows), values[i].quality);
       }
     }
     for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
@@ -164,6 +164,13 @@ class StreamReader {
   struct ValueSlot {
     std::size_t value = 0;
     std::optional<std::size_t> quality;
+    std::optional<std::size_t> whole;
+    // Where the value of this row stands.
+    [[nodiscard]] std::size_t in(const RowScanner& rows) const {
+      const bool is_whole =
+          whole && is_blank(rows.cell(value)) && !is_blank(rows.cell(*whole));
+      return is_whole ? *whole : value;
+    }
   };
 
   [[nodiscard]] std::vector<std::size_t> want_keys(
@@ -177,8 +184,9 @@ class StreamReader {
       std::vector<std::size_t>& wanted) const {
     std::vector<ValueSlot> out;
     for (const ColumnChoice::Value& value : source_.choice.values) {
-      out.push_back({want(wanted, value.column), {}});
+      out.push_back({want(wanted, value.column), {}, {}});
       if (value.quality) out.back().quality = want(wanted, *value.quality);
+      if (value.whole) out.back().whole = want(wanted, *value.whole);
     }
     return out;
   }
@@ -218,7 +226,7 @@ class StreamReader {
       }
       for (std::size_t i = 0; i < values.size(); ++i) {
         NamedSignal& of_tag = tags[at->second + i];
-        of_tag.measured = of_tag.measured || holds_number(rows.cell(values[i].value));
+        of_tag.measured = of_tag.measured || holds_number(rows.cell(values[i].in(rows)));
       }
     }
     const std::vector<PickedSignal> chosen = choose_signals(

@@ -66,6 +66,16 @@ TEST(LongFormat, TagsMayBeNumbers) {
             "01");
 }
 
+TEST(LongFormat, WholeNumbersMayHaveTheirOwnColumn) {
+  const CsvLayout layout =
+      long_layout("tagpath,intvalue,floatvalue,t_stamp\n" +
+                  rows("A.OP,,4.5,1773475200000", "A.PV,6,,1773475200000"));
+  const auto found = long_format(layout, {3});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->value, 2U);
+  EXPECT_EQ(found->whole, 1U);
+}
+
 TEST(LongFormat, WithoutAHeaderTheTagsSaySo) {
   EXPECT_EQ(columns(rows("A.OP,2026-03-14 08:00:00,4.5,Good",
                          "A.PV,2026-03-14 08:00:00,6.5,Good"),

@@ -17,6 +17,26 @@ Recording parse_streams(const std::string& text, const CsvOptions& options = {})
   return parse_csv(text, "f.csv", options);
 }
 
+TEST(TagStreams, WholeNumbersMayStandInAColumnOfTheirOwn) {
+  std::string text = "tagpath,intvalue,floatvalue,t_stamp\n";
+  std::string nameless;
+  for (int i = 0; i < 20; ++i) {
+    const std::string t = std::to_string(1773475200000 + 1000 * i);
+    text += "a/op,null,4" + std::to_string(i) + ".5," + t + "\na/pv,6" +
+            std::to_string(i) + ",null," + t + '\n';
+    const std::string stamp = "2026-05-13 06:00:" + std::to_string(10 + i);
+    nameless += "A.OP;" + stamp + ";4" + std::to_string(i) + ";0\nA.PV;" + stamp + ";6" +
+                std::to_string(i) + ";0\n";
+  }
+  const Recording r = parse_streams(text);
+  EXPECT_EQ(r.u[0], 40.5);
+  EXPECT_EQ(r.y[0], 60);
+  // Without a header the zeros of all rows are their states.
+  const Recording states = parse_streams(nameless);
+  EXPECT_EQ(states.u[0], 40);
+  EXPECT_EQ(states.y[19], 619);
+}
+
 TEST(TagStreams, RowsOfAnyOrderAreSortedByTag) {
   const Recording r = parse_streams(
       "tag,time,value\nA.PV,2026-05-03 10:00:01,6\nA.OP,2026-05-03 10:00:00,1\n"
