@@ -8,6 +8,7 @@
 #include <string>
 
 #include "workbench/recording/cell_number.hpp"
+#include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/quality_words.hpp"
@@ -36,7 +37,8 @@ constexpr std::array kWords = {"null"sv,        "<null>"sv,      "none"sv,
                                "ung\xFCltig"sv, "ungueltig"sv,   "gest\xC3\xB6rt"sv,
                                "gest\xF6rt"sv,  "gestoert"sv,    "na"sv,
                                "nd"sv,          "n.d."sv,        "n/d"sv,
-                               "n.c."sv,        "s/d"sv,         "\\n"sv};
+                               "n.c."sv,        "s/d"sv,         "\\n"sv,
+                               "<na>"sv,        "<gated>"sv,     "(null)"sv};
 
 constexpr std::array kBeginnings = {
     "bad"sv,           "no data"sv,       "no good"sv,    "no result"sv,   "no value"sv,
@@ -80,7 +82,16 @@ bool says_no_value(std::string_view cell, bool export_file) {
          (export_file && std::any_of(kExportWords.begin(), kExportWords.end(), is));
 }
 
+bool is_beyond(std::string_view cell) {
+  if (cell.empty() || (cell[0] != '<' && cell[0] != '>')) return false;
+  cell.remove_prefix(1);
+  if (!cell.empty() && cell[0] == '=') cell.remove_prefix(1);
+  NumberEvidence number;
+  return number.add(trimmed(cell.substr(0, cell.size() - unit_behind(cell).size())));
+}
+
 bool reads_as_word(std::string_view cell) {
+  if (is_beyond(cell)) return true;
   std::string_view word = cell;
   if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.remove_prefix(1);
   if (word.empty() || word[0] == '.' || word[0] == ',') return false;

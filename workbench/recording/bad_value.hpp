@@ -11,8 +11,8 @@ namespace workbench {
 
 /// True for a cell that says "no value": a gap, not a mistake. Known, without regard
 /// to case, are
-/// - words: null, none, n/a, NA, \N, ND, N.D., N/D, n.c., s/d, void, invalid, missing,
-/// unknown, unavailable, shutdown, off-line, off-scan,
+/// - words: null, (null), none, n/a, NA, <NA>, <GATED>, \N, ND, N.D., N/D, n.c., s/d,
+/// void, invalid, missing, unknown, unavailable, shutdown, off-line, off-scan,
 ///   ungültig, schlecht, Fehler, gestört, keine Daten, kein Wert; and `---`, `***`,
 ///   `???`;
 /// - whatever begins with Bad, No Data, No Good Data, No Result, I/O Timeout, Timeout,
@@ -24,10 +24,15 @@ namespace workbench {
 /// Infinities are no gap.
 [[nodiscard]] bool says_no_value(std::string_view cell, bool export_file);
 
-/// True for other words, which a column of numbers may hold here and there where a value
-/// is missing: at least three letters, more than digits, none of the digits in front, and
-/// no word for an infinity, 0 or 1. A number with a word of says_no_value() behind
-/// it counts too: `45.2 (Bad)`. `12..3`, `1O` and `45.2*` are typing mistakes.
+/// True for `<600`, `>=95 %`: beyond what the instrument measures, and by how much is not
+/// known.
+[[nodiscard]] bool is_beyond(std::string_view cell);
+
+/// True for what is_beyond(), and for other words, which a column of numbers may hold
+/// here and there where a value is missing: at least three letters, more than digits,
+/// none of the digits in front, and no word for an infinity, 0 or 1. A number with a word
+/// of says_no_value() behind it counts too: `45.2 (Bad)`. `12..3`, `1O` and `45.2*` are
+/// typing mistakes.
 [[nodiscard]] bool reads_as_word(std::string_view cell);
 
 /// How far a quality cell lets its value count.

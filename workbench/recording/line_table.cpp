@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/time_spelling.hpp"
@@ -44,7 +45,11 @@ CellKind kind_of(std::string_view cell) {
                                                  : CellKind::kDate;
   }
   if (number.add(without_unit(cell))) return CellKind::kNumber;
-  if (const auto found = number_with_quality(cell); found && number.add(found->number)) {
+  if (const auto negative = negative_of(cell); negative && number.add(*negative)) {
+    return CellKind::kNumber;
+  }
+  if (const auto found = number_with_quality(cell);
+      found && number.add(without_unit(found->number))) {
     return CellKind::kNumber;
   }
   return says_no_value(cell, true) ? CellKind::kBad : CellKind::kText;

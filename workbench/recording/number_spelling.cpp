@@ -1,5 +1,6 @@
 #include "workbench/recording/number_spelling.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -56,6 +57,37 @@ std::string_view without_text_marks(std::string_view cell) {
   return cell.size() > 1 && cell[0] == '\'' ? cell.substr(1) : cell;
 }
 
+// 1,23,45,678.9, the digits in groups of two before the last three, in groups of three:
+// 012,345,678.9, at least two marks, so that they cannot be decimals.
+std::optional<std::string> in_threes(std::string_view text) {
+  const std::size_t begin = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  const std::size_t end = std::min(text.find('.'), text.size());
+  const std::string_view whole = text.substr(begin, end - std::min(begin, end));
+  constexpr std::size_t kLast = 4;  // a mark and three digits
+  if (whole.size() < kLast + 4 || whole[whole.size() - kLast] != ',') return std::nullopt;
+  std::string digits;
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (is_digit(whole[i])) {
+      digits += whole[i];
+      ++run;
+      continue;
+    }
+    const bool first = digits.size() == run;
+    if (whole[i] != ',' || run > 2 || run < (first ? 1U : 2U)) return std::nullopt;
+    run = 0;
+  }
+  if (run != 3) return std::nullopt;
+  constexpr std::size_t kFewest = 9;
+  digits.insert(0, std::max(kFewest, (digits.size() + 2) / 3 * 3) - digits.size(), '0');
+  std::string out(text.substr(0, begin));
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && i % 3 == 0) out += ',';
+    out += digits[i];
+  }
+  return out + std::string(text.substr(end));
+}
+
 }  // namespace
 
 std::string_view without_blanks(std::string_view cell) {
@@ -97,6 +129,7 @@ std::optional<std::string> plain_number(std::string_view cell) {
     out.pop_back();
     out.insert(out.begin(), '-');
   }
+  if (std::optional<std::string> threes = in_threes(out)) return threes;
   return out == cell ? std::nullopt : std::optional(std::move(out));
 }
 

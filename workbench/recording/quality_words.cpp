@@ -38,7 +38,7 @@ constexpr std::array kGood = {
 constexpr std::array kGoodBeginnings = {"good"sv,  "gut"sv,  "ok"sv,     "valid"sv,
                                         "true"sv,  "wahr"sv, "normal"sv, "gultig"sv,
                                         "bonne"sv, "vrai"sv};
-constexpr std::array kUncertain = {"u"sv, "qst"sv};
+constexpr std::array kUncertain = {"u"sv, "qst"sv, "?"sv};
 constexpr std::array kUncertainBeginnings = {"uncertain"sv, "ques"sv,     "suspect"sv,
                                              "unsicher"sv,  "doubtful"sv, "incert"sv,
                                              "douteu"sv};

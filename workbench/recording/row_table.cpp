@@ -103,6 +103,10 @@ void refuse_doubtful(std::span<const SignalRows> signals, bool points_group) {
     if (static_cast<double>(signal.strangers.total()) > most) {
       throw InputError(*signal.stranger);
     }
+    if (signal.brackets.likely_marks()) throw InputError(*signal.bracket);
+    if (signal.scaled.thousands() > 0 && !signal.scaled.are_thousands(signal.values)) {
+      throw InputError(*signal.thousand);
+    }
     if (!signal.doubt) continue;
     const bool open = points_group && !settled && signal.marks.open();
     if (open || signal.marks.likely_thousands()) throw InputError(*signal.doubt);
@@ -140,6 +144,19 @@ void note_words(const SignalRows& signal, ResampleReport& report) {
   if (signal.strangers.total() > 0) {
     report.notes.push_back("words among the numbers of " + quoted(signal.name) +
                            ", taken as no value: " + signal.strangers.list());
+  }
+  if (const std::size_t negative = signal.brackets.total(); negative > 0) {
+    report.notes.push_back(counted(negative, "cell", "cells") + " of " +
+                           quoted(signal.name) + " in brackets: taken as negative");
+  }
+  if (const std::size_t thousands = signal.scaled.thousands(); thousands > 0) {
+    report.notes.push_back(counted(thousands, "cell", "cells") + " of " +
+                           quoted(signal.name) + " with a K: taken as thousands");
+  }
+  if (const std::size_t prefixed = signal.scaled.prefixed(); prefixed > 0) {
+    report.notes.push_back(counted(prefixed, "cell", "cells") + " of " +
+                           quoted(signal.name) + " in " + quoted(signal.scaled.unit()) +
+                           ": brought to the unit of the others");
   }
   if (signal.scale.unknown().total() > 0) {
     report.notes.push_back("unknown qualities of " + quoted(signal.name) +

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/mark_doubt.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/unit_scale.hpp"
 
 namespace workbench {
 
@@ -33,6 +35,10 @@ struct SignalRows {
   std::optional<InputError> doubt;  ///< to be thrown if the marks stay in doubt
   FractionDoubt fractions;
   std::optional<InputError> fraction;  ///< to be thrown if it is one
+  BracketDoubt brackets;
+  std::optional<InputError> bracket;  ///< to be thrown if they are no signs
+  ScaledCells scaled;
+  std::optional<InputError> thousand;  ///< to be thrown if K is none
   bool is_mode = false;                ///< codes of mode_column.hpp; NaN: as before
 };
 
@@ -53,8 +59,9 @@ struct TableContext {
 void turn(RowTable& table);
 
 /// Throws the doubt of a signal whose marks are likely of thousands; of one that has
-/// nothing but such marks where no signal shows decimals and `points_group`; and the
-/// stranger where unknown words stand in more than a tenth of the rows.
+/// nothing but such marks where no signal shows decimals and `points_group`; the
+/// stranger where unknown words stand in more than a tenth of the rows; and what brackets
+/// or a K may mean otherwise.
 void refuse_doubtful(std::span<const SignalRows> signals, bool points_group);
 
 /// Where commas separate columns: throws what a signal has to say that is likely the
@@ -67,7 +74,8 @@ void refuse_fractions(std::span<const SignalRows> signals,
 /// of a required signal say "no value".
 void take_out_bad(RowTable& table, const TableContext& context);
 
-/// Notes unknown words among the values and qualities of a signal.
+/// Notes unknown words among the values and qualities of a signal, brackets and other
+/// prefixes of units.
 void note_words(const SignalRows& signal, ResampleReport& report);
 
 /// Drops rows that repeat the time of the row before; they only supply values that one

@@ -1,9 +1,11 @@
 #include "workbench/recording/value_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "workbench/recording/bad_value.hpp"
+#include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/quality_words.hpp"
@@ -31,8 +33,12 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
     std::string_view unit;
     const NumberReader::Result result = read(cell, value, unit);
     if (result == NumberReader::Result::kOk) {
-      check_unit(row, slot, signal, unit);
-      const std::string_view number = cell.substr(0, cell.size() - unit.size());
+      scale_to_unit(row, slot, signal, unit, value);
+      const bool bracketed = !plain_ && cell.front() == '(';
+      if (bracketed && !signal.bracket) signal.bracket = bracket_error(row, slot, signal);
+      signal.brackets.add(value, bracketed);
+      const std::string_view number =
+          bracketed ? without_brackets(cell) : cell.substr(0, cell.size() - unit.size());
       if (!marks_given_ && separator_ == ',')
         doubt_fraction(row, slot, signal, trimmed(number));
       if (!plain_ && !marks_known_)
@@ -74,28 +80,69 @@ NumberReader::Result ValueReader::read(std::string_view cell, double& value,
                                        std::string_view& unit) {
   const NumberReader::Result result = numbers_.read(cell, value);
   if (plain_ || result != NumberReader::Result::kText) return result;
+  if (const auto negative = negative_of(cell)) return numbers_.read(*negative, value);
   unit = unit_behind(cell);
   if (!unit.empty()) {
     return numbers_.read(trimmed(cell.substr(0, cell.size() - unit.size())), value);
   }
   const std::optional<NumberWithQuality> found = number_with_quality(cell);
   if (!found || found->word == QualityWord::kBad) return result;
-  return numbers_.read(found->number, value);
+  unit = unit_behind(found->number);
+  const std::size_t length = found->number.size() - unit.size();
+  return numbers_.read(trimmed(found->number.substr(0, length)), value);
 }
 
-// Numbers of 1.2 bar and 980 mbar are not to be compared.
-void ValueReader::check_unit(const RowScanner& row, std::size_t slot, SignalRows& signal,
-                             std::string_view unit) {
+void ValueReader::scale_to_unit(const RowScanner& row, std::size_t slot,
+                                SignalRows& signal, std::string_view unit,
+                                double& value) {
+  constexpr double kThousand = 1000;
   if (!signal.cell_unit) {
     signal.cell_unit = unit;
     if (signal.unit.empty()) signal.unit = utf8_of(unit);
   }
-  if (*signal.cell_unit == unit) return;
-  throw row.error(slot,
-                  (signal.cell_unit->empty() ? std::string("no unit")
-                                             : "the unit " + quoted(*signal.cell_unit)) +
-                      ", as before, in column " + quoted(signal.name),
-                  quoted(row.cell(slot)), "export the numbers without units");
+  if (*signal.cell_unit == unit && signal.scaled.thousands() == 0) return;
+  if (const auto ratio = unit_ratio(unit, *signal.cell_unit)) {
+    signal.scaled.add(unit);
+    value *= *ratio;
+    return;
+  }
+  const InputError error =
+      row.error(slot,
+                (signal.cell_unit->empty() ? std::string("no unit")
+                                           : "the unit " + quoted(*signal.cell_unit)) +
+                    ", as before, in column " + quoted(signal.name),
+                quoted(row.cell(slot)), "export the numbers without units");
+  if (unit.empty() && says_thousand(*signal.cell_unit)) {
+    // All before were thousands; their K is no unit.
+    for (double& before : signal.values) {
+      if (std::isnan(before)) continue;
+      if (!signal.scaled.add_thousand(before)) throw InputError(error);
+      before *= kThousand;
+    }
+    if (signal.unit == *signal.cell_unit) signal.unit.clear();
+    signal.cell_unit = unit;
+    signal.thousand = error;
+  }
+  if (!signal.cell_unit->empty()) throw InputError(error);
+  if (unit.empty()) {
+    if (std::abs(value) >= kThousand) throw InputError(error);
+    return;
+  }
+  const bool fits = signal.scaled.thousands() > 0 ||
+                    std::all_of(signal.values.begin(), signal.values.end(),
+                                [](double v) { return !(std::abs(v) >= kThousand); });
+  if (!says_thousand(unit) || !fits || !signal.scaled.add_thousand(value)) {
+    throw InputError(error);
+  }
+  if (!signal.thousand) signal.thousand = error;
+  value *= kThousand;
+}
+
+InputError ValueReader::bracket_error(const RowScanner& row, std::size_t slot,
+                                      const SignalRows& signal) {
+  return row.error(slot, "a number with one meaning in column " + quoted(signal.name),
+                   quoted(row.cell(slot)) + ", negative or marked",
+                   "write a minus sign where it is negative, else no brackets");
 }
 
 bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
@@ -203,6 +250,11 @@ InputError ValueReader::number_error(const RowScanner& row, std::size_t slot,
     case NumberReader::Result::kOk:
     case NumberReader::Result::kText:
       break;
+  }
+  if (is_beyond(cell)) {
+    return row.error(slot, "a number " + column,
+                     quoted(cell) + ", a limit of the instrument in place of the value",
+                     "export a time when the signal stayed within its range");
   }
   if (separator_ == ',' && cell.find(',') != std::string_view::npos) {
     return row.error(slot, "a number " + column, quoted(cell),

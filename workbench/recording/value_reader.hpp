@@ -35,8 +35,9 @@ class ValueReader {
 
   /// Appends the cell of `slot` to `signal`: its number, or NaN where the cell is empty
   /// or says that there is no value; for a load, NaN for whatever is no number. In an
-  /// export a unit may stand behind the numbers, the same in every cell. Throws
-  /// InputError for anything else.
+  /// export a unit may stand behind the numbers, the same in every cell but for a prefix,
+  /// or a K where others have none; and brackets around negative ones. Throws InputError
+  /// for anything else.
   void append(const RowScanner& row, std::size_t slot, SignalRows& signal);
 
   /// Appends the time of the row. False: it has none, time_error() says why.
@@ -50,8 +51,11 @@ class ValueReader {
   std::optional<std::string> joined_time(const RowScanner& row, const TimeSlots& slots);
   // The number of a cell, and the unit behind it.
   NumberReader::Result read(std::string_view cell, double& value, std::string_view& unit);
-  static void check_unit(const RowScanner& row, std::size_t slot, SignalRows& signal,
-                         std::string_view unit);
+  // Numbers of 1.2 bar and 980 mbar are not to be compared as they are.
+  static void scale_to_unit(const RowScanner& row, std::size_t slot, SignalRows& signal,
+                            std::string_view unit, double& value);
+  [[nodiscard]] static InputError bracket_error(const RowScanner& row, std::size_t slot,
+                                                const SignalRows& signal);
   // Keeps what the marks of the number say while both readings are left.
   void doubt_marks(const RowScanner& row, std::size_t slot, SignalRows& signal,
                    std::string_view number, double value) const;

@@ -32,14 +32,24 @@ TEST(BadValue, TypingMistakesAndInfinitiesAreNone) {
 TEST(BadValue, OtherWordsMayStandAmongNumbers) {
   for (const std::string cell :
        {"Questionable", "<Invalid>", "(null)", "Archive Offline", "+OVER", "-OVER", "abc",
-        "[-11059] No Good Data For Calculation", "n. def.", "45.2 (Bad)"}) {
+        "[-11059] No Good Data For Calculation", "n. def.", "45.2 (Bad)", "<45.2"}) {
     EXPECT_TRUE(reads_as_word(cell)) << cell;
   }
-  for (const std::string cell : {"12..3", "1O", "l.5", "45.2*", "45.2 S", "<45.2", "inf",
+  for (const std::string cell : {"12..3", "1O", "l.5", "45.2*", "45.2 S", "<45.2x", "inf",
                                  "-Infinity", "nan", "TRUE", "Off", "B", "", "-", "+"}) {
     EXPECT_FALSE(reads_as_word(cell)) << cell;
   }
   EXPECT_TRUE(says_no_value("#####", false));
+}
+
+TEST(BadValue, BeyondWhatIsMeasured) {
+  for (const std::string cell : {"<600", ">95 %", ">= 0.5", "<1.234,5"}) {
+    EXPECT_TRUE(is_beyond(cell)) << cell;
+  }
+  for (const std::string cell : {"<", "<NA>", "600", "", "<Bad>"}) {
+    EXPECT_FALSE(is_beyond(cell)) << cell;
+  }
+  EXPECT_TRUE(says_no_value("<NA>", true));
 }
 
 Quality second_of(const std::string& other, const std::string& cell) {

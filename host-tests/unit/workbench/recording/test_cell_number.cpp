@@ -31,12 +31,15 @@ TEST(CellNumber, ReadsThousandsWhereTheyAreUnambiguous) {
             1234.5);
   EXPECT_EQ(read("1'234.5", ';'), 1234.5);
   EXPECT_EQ(read("1,5e3", ';'), 1500);
+  EXPECT_EQ(read("1,23,456.7", ','), 123456.7);
+  EXPECT_EQ(read("-1,23,456", ','), -123456);
+  EXPECT_EQ(read("12,34,56,789", ';'), 123456789);
 }
 
 TEST(CellNumber, RefusesBadGroups) {
   for (const std::string cell :
-       {"12..3", "1.2.3", "1,23,456", "1.234.5", "1 2", "1,234,5", "1.234,5,6", ",", ".",
-        "1.234 567", "12 34,5", "1e", ""}) {
+       {"12..3", "1.2.3", "1,2,34,567", "1,23,45", "1.234.5", "1 2", "1,234,5",
+        "1.234,5,6", ",", ".", "1.234 567", "12 34,5", "1e", ""}) {
     EXPECT_EQ(read(cell, ';'), std::nullopt) << cell;
   }
 }

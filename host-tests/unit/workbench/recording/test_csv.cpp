@@ -77,7 +77,7 @@ TEST(Csv, RefusesColumnsWithTimesOfTheirOwnOfWhichNoneHasValues) {
   options.names.loads = {"all"};
   const std::string row = ",1,2026-05-13 14:30:00,2\n";
   EXPECT_THROW(
-      static_cast<void>(parse("A.OP,,A.PV,\n2026-05-13 14:30:00" + row +
+      static_cast<void>(parse("Time,,Time,\n2026-05-13 14:30:00" + row +
                                   "2026-05-13 14:30:05,1,2026-05-13 14:30:05,2\n",
                               options)),
       InputError);
@@ -400,10 +400,10 @@ TEST(Csv, UnitsBehindNumbersAreTheSameInAColumn) {
   EXPECT_EQ(r.period_s, 2);
   EXPECT_EQ(r.units[static_cast<std::size_t>(Column::y)], "mbar");
   const InputError mixed =
-      error_of("Time,OP,PV\n0 sec,1 %,980 mbar\n1 sec,2 %,1.2 bar\n2 sec,2 %,1 bar\n");
+      error_of("Time,OP,PV\n0 sec,1 %,980 mbar\n1 sec,2 %,1.2 psi\n2 sec,2 %,1 psi\n");
   EXPECT_EQ(mixed.line, 3U);
   EXPECT_NE(mixed.expected.find("'mbar'"), std::string::npos) << mixed.what();
-  EXPECT_EQ(mixed.found, "'1.2 bar'");
+  EXPECT_EQ(mixed.found, "'1.2 psi'");
   EXPECT_EQ(error_of("Time,OP,PV\n0,1,980 mbar\n1,2,981\n2,2,981\n").line, 3U);
 }
 

@@ -23,6 +23,14 @@ TEST(NumberSpelling, LeavesTheRest) {
   }
 }
 
+TEST(NumberSpelling, IndianGroupsInThrees) {
+  EXPECT_EQ(plain_number("1,23,456"), "000,123,456");
+  EXPECT_EQ(plain_number("-1,23,45,678.9"), "-012,345,678.9");
+  for (const char* cell : {"1,234,567", "12,345", "1,2,345", "123,45,678", "1.23.456"}) {
+    EXPECT_FALSE(plain_number(cell)) << cell;
+  }
+}
+
 TEST(NumberSpelling, BlanksAround) {
   EXPECT_EQ(without_blanks(" \xC2\xA0 4 5\xE2\x80\xAF"), "4 5");
   EXPECT_EQ(without_blanks("\xC2\xA0"), "");

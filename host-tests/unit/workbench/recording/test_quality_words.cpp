@@ -45,6 +45,7 @@ TEST(QualityWords, BehindANumber) {
   EXPECT_EQ(good->number, "45.2");
   EXPECT_EQ(good->word, QualityWord::kGood);
   EXPECT_EQ(number_with_quality("45,2 (Good)")->word, QualityWord::kGood);
+  EXPECT_EQ(number_with_quality("45.2 (?)")->word, QualityWord::kUncertain);
   EXPECT_EQ(number_with_quality("0.0 B")->word, QualityWord::kBad);
   for (const char* cell : {"45.2", "45.2 m3/h", "1 234", "", " G", "45.2 xyz"}) {
     EXPECT_FALSE(number_with_quality(cell)) << cell;
