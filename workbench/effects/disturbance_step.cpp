@@ -10,20 +10,46 @@
 namespace workbench::effects {
 namespace {
 
-// True where u makes one of its few great jumps within 2 % of the recording of `time_s`.
-bool u_jumps_near(const Situation& s, double time_s) {
+constexpr double kNear = 0.02;  // of the recording
+
+// Times of the great jumps of u; empty where they are many.
+std::vector<double> great_jumps_of_u(const Situation& s) {
   constexpr double kGreat = 0.25;  // of the span of u
-  constexpr double kNear = 0.02;   // of the recording
-  constexpr int kFew = 10;
-  int jumps = 0;
-  bool near = false;
+  constexpr std::size_t kFew = 10;
+  std::vector<double> out;
   for (std::size_t k = 1; k < s.samples(); ++k) {
     if (std::abs(s.u[k] - s.u[k - 1]) < kGreat * s.u_span()) continue;
-    ++jumps;
-    const double apart_s = static_cast<double>(k) * s.period_s - time_s;
-    near = near || std::abs(apart_s) < kNear * s.duration_s();
+    out.push_back(static_cast<double>(k) * s.period_s);
   }
-  return near && jumps <= kFew;
+  return out.size() <= kFew ? out : std::vector<double>{};
+}
+
+bool u_jumps_near(const Situation& s, double time_s) {
+  return std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
+    return std::abs(jump_s - time_s) < kNear * s.duration_s();
+  });
+}
+
+// A jump that a load calls forth from the controller comes after the load.
+bool u_jumps_before(const Situation& s, double time_s) {
+  return std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
+    return jump_s > time_s - kNear * s.duration_s() && jump_s <= time_s + s.period_s;
+  });
+}
+
+enum : std::size_t { kTime, kThroughProcess, kPassing, kEnd };
+
+bool passes(std::span<const double> p) {
+  return p[kPassing] > 0.5;
+}
+
+// How much of a unit load has come by a time, sample by sample: at once, or the share of
+// the interval before the sample.
+void add_change(double samples, bool at_once, double by, std::span<double> column) {
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    const double since = static_cast<double>(k) - samples;
+    column[k] += by * (at_once ? (since < 0 ? 0 : 1) : std::clamp(since + 1, 0.0, 1.0));
+  }
 }
 
 constexpr Description kDescription{
@@ -31,7 +57,7 @@ constexpr Description kDescription{
     .title = "a sudden load change",
     .place = Place::kLoad,
     .view = View::kTime,
-    .signature = "has one level before an instant and another after it",
+    .signature = "has one level before an instant and another after it, or for a while",
     .cure =
         "Look in the logs for what changed then: a feed, a parallel unit, a manual "
         "valve.",
@@ -51,17 +77,27 @@ class Step final : public Effect {
              .jumpy = true,
              .instant = true,
              .sudden = true},
-            {.name = "through_process", .unit = "1", .high = 1, .constant = true}};
+            {.name = "through_process", .unit = "1", .high = 1, .constant = true},
+            {.name = "passing", .unit = "1", .high = 1, .constant = true},
+            {.name = "end",
+             .unit = "s",
+             .low = 0,
+             .high = s.duration_s(),
+             .jumpy = true,
+             .instant = true,
+             .sudden = true,
+             .only_with = "passing"}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
     static constexpr SolvedParameter kSolved[] = {{"amplitude", "y"}};
     return kSolved;
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
+    const double end = s.duration_s();
+    const double lag_s = std::min(s.first_lag_s, end / 5);
     std::vector<Values> out;
     for (const std::size_t at : level_changes(s)) {
       const double time = (static_cast<double>(at) - 0.5) * s.period_s;
-      const double lag_s = std::min(s.first_lag_s, s.duration_s() / 5);
       std::size_t first = at;
       std::size_t last = at;
       while (first > 0 && !s.estimation[first - 1]) --first;
@@ -69,56 +105,86 @@ class Step final : public Effect {
       // Within a gap of the fitted samples neither the instant nor the way into the
       // output shows: both are looked for once a place there is found to be the best.
       const double gap_s = s.period_s * static_cast<double>(last - first);
-      if (first == last) out.push_back({time, 0});
+      if (first == last) out.push_back({time, 0, 0, end});
       for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        out.push_back({s.period_s * static_cast<double>(first) + share * gap_s, 1});
-        out.push_back({std::max(0.0, time - 2 * share * lag_s), 1});
+        out.push_back(
+            {s.period_s * static_cast<double>(first) + share * gap_s, 1, 0, end});
+        out.push_back({std::max(0.0, time - 2 * share * lag_s), 1, 0, end});
+      }
+    }
+    for (const PassingLevel& level : passing_levels(s)) {
+      const double from = (static_cast<double>(level.first) - 0.5) * s.period_s;
+      const double to = (static_cast<double>(level.last) - 0.5) * s.period_s;
+      out.push_back({from, 0, 1, to});
+      for (const double lags : {0.0, 0.5, 1.0, 2.0}) {
+        out.push_back({std::max(0.0, from - lags * lag_s), 1, 1,
+                       std::max(from + s.period_s, to - lags * lag_s)});
       }
     }
     return out;
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
-    const double shorter = std::min(p[0], s.duration_s() - p[0]);
+    if (passes(p)) {
+      const double lasts = p[kEnd] - p[kTime];
+      const double shorter = std::min(lasts, s.duration_s() - lasts);
+      return {static_cast<int>(50 * shorter / s.duration_s()),
+              "fiftieths of the recording with the load, or without it"};
+    }
+    const double shorter = std::min(p[kTime], s.duration_s() - p[kTime]);
     return {static_cast<int>(50 * shorter / s.duration_s()),
             "fiftieths of the recording on the shorter side of the change"};
   }
   [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double> c) const override {
+    if (passes(p)) {
+      return filled(
+          "From t = {0} until {1} the output is off by {2} y, and u does not cause it.",
+          {s.when(p[kTime]), s.when(p[kEnd]), number(c[0], 3)});
+    }
     return filled(
-        u_jumps_near(s, p[0])
+        u_jumps_near(s, p[kTime])
             ? "At t = {0} the output shifts by {1} y for good. u jumps then, too: the "
               "process may also answer that move otherwise than the model thinks."
             : "At t = {0} the output shifts by {1} y for good, and u does not cause it.",
-        {s.when(p[0]), number(c[0], 3)});
+        {s.when(p[kTime]), number(c[0], 3)});
+  }
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    if (!passes(p) || !u_jumps_before(s, p[kTime]) || !u_jumps_before(s, p[kEnd])) {
+      return {};
+    }
+    return "u jumps where it comes and where it goes: the process may answer otherwise "
+           "there";
   }
   [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
                                   std::span<const double> c) const override {
-    constexpr double kPlaces = 20;  // times of the change that the search tells apart
-    return load_by_chance(s.residual, load_of(*this, s, p, c[0]), kPlaces);
+    constexpr double kPlaces = 20;  // times of a change that the search tells apart
+    const double places = passes(p) ? kPlaces * kPlaces : kPlaces;
+    return load_by_chance(s.residual, load_of(*this, s, p, c[0]), places);
   }
   // (W3) At the output at once, or at the input of the process, which answers as to u.
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
     const std::span<double> column = columns[0];
-    const double h = setting.period_s;
-    const double time = p[0] - setting.start_s;
-    if (p[1] < 0.5) {
-      for (std::size_t k = 0; k < column.size(); ++k) {
-        column[k] = static_cast<double>(k) * h < time ? 0 : 1;
-      }
+    const bool at_once = p[kThroughProcess] < 0.5;
+    std::vector<double> arriving(column.size());
+    const auto change = [&](double time_s, double by) {
+      const double samples = (time_s - setting.start_s) / setting.period_s;
+      add_change(samples, at_once, by, arriving);
+    };
+    change(p[kTime], 1);
+    if (passes(p)) change(std::max(p[kEnd], p[kTime]), -1);
+    if (at_once) {
+      std::copy(arriving.begin(), arriving.end(), column.begin());
       return;
     }
     ProcessShape shape;
     shape.first_lag_s = setting.shape.first_lag_s;
     shape.second_lag_s = setting.shape.second_lag_s;
     shape.integrating = setting.shape.integrating;
-    std::vector<double> arriving(column.size());
-    for (std::size_t k = 0; k < column.size(); ++k) {
-      arriving[k] = std::clamp(static_cast<double>(k) + 1 - time / h, 0.0, 1.0);
-    }
     std::vector<double> scratch;
-    respond(shape, h, arriving, scratch, column);
+    respond(shape, setting.period_s, arriving, scratch, column);
   }
 };
 

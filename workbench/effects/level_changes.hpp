@@ -1,4 +1,4 @@
-// When a level changed, whatever u did then.
+// When a level changed, for good or for a while, whatever u did then.
 #pragma once
 
 #include <cstddef>
@@ -13,5 +13,16 @@ namespace workbench {
 /// two more at least a tenth of the record away; best first. A controller answers a load,
 /// so that a model without it has bent its answer to u. O(samples).
 [[nodiscard]] std::vector<std::size_t> level_changes(const Situation& situation);
+
+/// A level that the output has for a while: samples first … last - 1.
+struct PassingLevel {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// (W28) Up to two passing levels that explain, in the same way, more than any one change
+/// for good, by more than a further change is worth by chance; best first, neither end
+/// of the second near that of the first. O(samples + pairs of 80 instants).
+[[nodiscard]] std::vector<PassingLevel> passing_levels(const Situation& situation);
 
 }  // namespace workbench

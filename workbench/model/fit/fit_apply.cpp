@@ -20,7 +20,9 @@ bool at_edge(const Fit& fit, const Effect& effect) {
   if (effect.ends_there(fit.searched_of(effect))) return false;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
-    if (fit.slots[i].effect != &effect || parameter.constant) continue;
+    if (fit.slots[i].effect != &effect || !FreeRun::is_searched(fit.slots, fit.p, i)) {
+      continue;
+    }
     if (edge_of(parameter, fit.p[i]) != Edge::kNone) return true;
   }
   return false;
@@ -79,9 +81,25 @@ double value_in(const Model& model, const Effect* effect, std::string_view name)
   return parameter->value;
 }
 
-// A limit at its bound was not reached where the model was fitted: neither is it here.
-double value_here(const Model& model, const FreeRun::Slot& slot) {
+// What a model file may lack: a form that the effect may take, and what goes with that
+// form. Without it the effect has not taken it.
+std::optional<double> value_without_form(const Model& model, const FreeRun::Slot& slot,
+                                         std::span<const FreeRun::Slot> slots) {
   const SearchedParameter& parameter = slot.parameter;
+  const std::vector<Parameter>* own = parameters_of(model, slot.effect);
+  if (own == nullptr || find(*own, parameter.name) != nullptr) return std::nullopt;
+  if (!parameter.only_with.empty()) return parameter.high;
+  const bool is_form = std::ranges::any_of(slots, [&](const FreeRun::Slot& other) {
+    return other.effect == slot.effect && other.parameter.only_with == parameter.name;
+  });
+  return is_form ? std::optional(0.0) : std::nullopt;
+}
+
+// A limit at its bound was not reached where the model was fitted: neither is it here.
+double value_here(const Model& model, const FreeRun::Slot& slot,
+                  std::span<const FreeRun::Slot> slots) {
+  const SearchedParameter& parameter = slot.parameter;
+  if (const auto absent = value_without_form(model, slot, slots)) return *absent;
   const double value = value_in(model, slot.effect, parameter.name);
   // Whatever bounds a file tells: the simulation divides by it.
   if (parameter.logarithmic && !(value > 0)) {
@@ -175,7 +193,7 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
     const std::string_view name = slot.parameter.name;
     const Parameter* state = find(model.initial_state, state_name(name, slot.piece));
     const double initial = here && state != nullptr ? state->value : 0;
-    p.push_back(slot.parameter.initial ? initial : value_here(model, slot));
+    p.push_back(slot.parameter.initial ? initial : value_here(model, slot, run.slots()));
   }
   // The columns are known after a run; their plant coefficients come from the model.
   run.run(p);

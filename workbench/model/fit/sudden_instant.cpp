@@ -30,12 +30,24 @@ SampleRange unfitted_around(std::size_t at, const Situation& s) {
   return {at, at};
 }
 
-// The forms that the effect of a slot may take: each of its constants 0 or 1.
+// True where another parameter of the effect is searched only with this one.
+bool frees_another(std::span<const FreeRun::Slot> slots, const FreeRun::Slot& slot) {
+  return std::ranges::any_of(slots, [&](const FreeRun::Slot& other) {
+    return other.effect == slot.effect &&
+           other.parameter.only_with == slot.parameter.name;
+  });
+}
+
+// The forms that the effect of a slot may take with the parameters it has: each of its
+// constants 0 or 1.
 std::vector<std::vector<double>> forms_of(std::span<const FreeRun::Slot> slots,
                                           std::size_t slot, std::vector<double> p) {
   std::vector<std::vector<double>> forms = {std::move(p)};
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    if (slots[i].effect != slots[slot].effect || !slots[i].parameter.constant) continue;
+    if (slots[i].effect != slots[slot].effect || !slots[i].parameter.constant ||
+        frees_another(slots, slots[i])) {
+      continue;
+    }
     const std::size_t count = forms.size();
     for (std::size_t j = 0; j < count; ++j) {
       forms.push_back(forms[j]);

@@ -18,6 +18,9 @@ std::optional<NamedCurve> curve_of(const std::string& effect,
 
 std::vector<Parameter> told_parameters(const EffectTerm& term) {
   std::vector<Parameter> out = term.parameters;
+  const bool stays = std::ranges::any_of(
+      out, [](const Parameter& p) { return p.name == "passing" && p.value < 0.5; });
+  if (stays) std::erase_if(out, [](const Parameter& p) { return p.name == "end"; });
   const std::optional<NamedCurve> curve = curve_of(term.effect, term.parameters);
   if (!curve) return out;
   std::erase_if(out, [&curve](const Parameter& p) {

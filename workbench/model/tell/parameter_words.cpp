@@ -28,6 +28,8 @@ constexpr Words kWords[] = {
     {"through_process",
      "where the load acts",
      {"on the output at once", "through the process"}},
+    {"passing", "what the load does", {"it stays", "it goes again"}},
+    {"end", "time at which the load goes"},
     {"held", "between stored points", {"straight lines", "the last value is held"}},
     {"stored_share", "share of samples that were stored"},
     {"held_share", "share of readings that hold"},

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "support/workbench/setpoint_loop.hpp"
@@ -72,20 +73,20 @@ TEST(Catalogue, EveryEffectKeepsItsPromises) {
 }
 
 constexpr Description kDescription{
-    .code = "disturbance.pulse",
-    .title = "a passing load",
+    .code = "disturbance.surge",
+    .title = "a load that swells",
     .place = Place::kLoad,
     .view = View::kTime,
-    .signature = "has another level for a while",
-    .cure = "Look in the logs for what came and went.",
+    .signature = "rises for a while and falls again",
+    .cure = "Look in the logs for what swelled and subsided.",
     .split = "record longer before and after",
     .needs_u = false,
 };
 
-// docs/adding-an-effect.md, step by step: a load that comes and goes again.
-class Pulse final : public Effect {
+// docs/adding-an-effect.md, step by step: a load that swells and subsides.
+class Surge final : public Effect {
  public:
-  Pulse() : Effect(kDescription) {}
+  Surge() : Effect(kDescription) {}
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const double end = s.duration_s();
@@ -111,14 +112,15 @@ class Pulse final : public Effect {
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double> c) const override {
-    return "The output is off by " + number(c[0], 3) + " y for " + number(p[1], 3) +
+    return "The output is off by up to " + number(c[0], 3) + " y for " + number(p[1], 3) +
            " s.";
   }
   void load(std::span<const double> p, const LoadSetting& setting,
             Columns columns) const override {
     for (std::size_t k = 0; k < columns[0].size(); ++k) {
       const double t = static_cast<double>(k) * setting.period_s;
-      columns[0][k] = t >= p[0] && t < p[0] + p[1] ? 1 : 0;
+      const double half = std::max(p[1] / 2, setting.period_s);
+      columns[0][k] = std::max(0.0, 1 - std::abs(t - p[0] - half) / half);
     }
   }
 };
@@ -206,20 +208,23 @@ TEST(Catalogue, TheCurveOfACharacteristicRisesFromEndToEnd) {
 
 TEST(Catalogue, AnEffectThatIsNotInItIsFoundOnceItIsAdded) {
   test::SetpointLoop loop;
-  loop.load = [](std::size_t k) { return k >= 400 && k < 640 ? 3.0 : 0.0; };
+  loop.load = [](std::size_t k) {
+    const double way = std::abs(static_cast<double>(k) - 520) / 120;
+    return 8 * std::max(0.0, 1 - way);
+  };
   const Recording recording = test::simulated(loop);
-  const Pulse pulse;
+  const Surge surge;
   Catalogue catalogue = standard_catalogue();
-  catalogue.add(pulse);
+  catalogue.add(surge);
   LadderOptions options;
   options.catalogue = &catalogue;
   const LadderResult result = run_ladder(recording, options);
-  ASSERT_TRUE(result.model.has("disturbance.pulse"));
+  ASSERT_TRUE(result.model.has("disturbance.surge"));
   for (const EffectTerm& term : result.model.effects) {
-    if (term.effect != "disturbance.pulse") continue;
-    EXPECT_NEAR(term.parameters[0].value, 400, 3);
-    EXPECT_NEAR(term.parameters[1].value, 240, 5);
-    EXPECT_NEAR(term.parameters[2].value, 3, 0.2);
+    if (term.effect != "disturbance.surge") continue;
+    EXPECT_NEAR(term.parameters[0].value, 400, 5);
+    EXPECT_NEAR(term.parameters[1].value, 240, 10);
+    EXPECT_NEAR(term.parameters[2].value, 8, 0.4);
   }
 }
 

@@ -101,6 +101,19 @@ TEST(Ladder, FindsTwoEffectsAndStops) {
   EXPECT_EQ(result.model.history.size(), result.steps.size());
 }
 
+TEST(Ladder, DatesALoadThatGoesAgain) {
+  SetpointLoop loop;
+  loop.load = [](std::size_t k) { return k >= 400 && k < 640 ? 4.0 : 0.0; };
+  const LadderResult result = run_ladder(simulated(loop));
+  ASSERT_EQ(result.model.effects.size(), 1u);
+  const EffectTerm& step = result.model.effects[0];
+  EXPECT_EQ(step.effect, "disturbance.step");
+  EXPECT_NEAR(step.parameters[0].value, 400, 3);
+  EXPECT_EQ(step.parameters[2].value, 1) << "passing";
+  EXPECT_NEAR(step.parameters[3].value, 640, 3);
+  EXPECT_NEAR(result.quality.rmse_validation, 0.2, 0.03);
+}
+
 TEST(Ladder, AsksAgainBesideALaterEffectAndTellsEachStepAsItIsDone) {
   LadderOptions options;
   std::vector<Model> reached;

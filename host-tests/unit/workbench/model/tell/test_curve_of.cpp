@@ -37,5 +37,12 @@ TEST(CurveOf, WhatTheCurveTellsBetterIsNotToldTwice) {
   EXPECT_EQ(told_parameters(other).size(), 1u);
 }
 
+TEST(CurveOf, ALoadThatStaysHasNoEnd) {
+  EffectTerm term{"disturbance.step", {{"time", "s", 5}, {"passing"}, {"end", "s", 9}}};
+  EXPECT_EQ(told_parameters(term).size(), 2u);
+  term.parameters[1].value = 1;
+  EXPECT_EQ(told_parameters(term).size(), 3u);
+}
+
 }  // namespace
 }  // namespace workbench

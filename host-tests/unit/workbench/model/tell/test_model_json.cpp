@@ -61,6 +61,24 @@ TEST(ModelJson, KnowsItsRecordingByItsSamples) {
   EXPECT_THROW((void)parse_model(json.dump(), "m.json"), InputError);
 }
 
+// A load that stays, without what goes with one that passes.
+TEST(ModelJson, AFormThatTheFileLacksIsNotTaken) {
+  Recording r =
+      test::stepped(std::vector<double>{40, 60, 50, 40}, [](double u) { return u; });
+  for (std::size_t k = 300; k < r.size(); ++k) r.y[k] += 9;
+  const Model fitted = start_model(r, Column::y, {"disturbance.step"}).model;
+  auto json = model_json(fitted);
+  for (const char* name : {"passing", "end"}) {
+    ASSERT_TRUE(json["effects"][0]["parameters"].contains(name));
+    json["effects"][0]["parameters"].erase(name);
+  }
+  const Model fewer = parse_model(json.dump(), "m.json");
+  EXPECT_NEAR(compare(r, fewer).quality.rmse, compare(r, fitted).quality.rmse, 1e-9);
+  json["effects"][0]["parameters"].erase("through_process");
+  const Model broken = parse_model(json.dump(), "m.json");
+  EXPECT_THROW((void)compare(r, broken), InputError);
+}
+
 // Only an upper limit shows: the lower one is told as absent, and cuts off nothing where
 // another recording has u below all of the first.
 TEST(ModelJson, ALimitThatWasNotReachedIsNoneElsewhere) {
