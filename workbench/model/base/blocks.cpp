@@ -27,14 +27,21 @@ Blocks::Blocks(std::span<const Piece> pieces, double memory_samples, const Split
   const auto length = [](const Piece& piece) {
     return static_cast<double>(piece.last - piece.first);
   };
-  double n = 0;  // of the samples that are split
-  for (const Piece& piece : pieces) n += piece.judges == apart ? length(piece) : 0;
-  const double pairs =
-      split.pair_samples > 0
-          ? std::clamp(n / std::max(split.pair_samples, kShortestPair), kFewestWanted,
-                       std::max(n / kShortestPair, kFewestWanted))
-          : std::clamp(n / (kMemories * std::max(memory_samples, 1.0)), kFewestPairs,
-                       kMostPairs);
+  // Each recording as many as it would have alone: beside others it tells no less.
+  const auto pairs_for = [&](const Piece& of) {
+    double n = 0;
+    for (const Piece& piece : pieces) {
+      const bool same = apart ? piece.judges : piece.recording == of.recording;
+      n += same ? length(piece) : 0;
+    }
+    const double pairs =
+        split.pair_samples > 0
+            ? std::clamp(n / std::max(split.pair_samples, kShortestPair), kFewestWanted,
+                         std::max(n / kShortestPair, kFewestWanted))
+            : std::clamp(n / (kMemories * std::max(memory_samples, 1.0)), kFewestPairs,
+                         kMostPairs);
+    return pairs * length(of) / n;
+  };
   const std::size_t samples = pieces.empty() ? 0 : pieces.back().last;
   std::size_t from = 0;
   for (const SampleRange& range : left_out_) {
@@ -44,7 +51,7 @@ Blocks::Blocks(std::span<const Piece> pieces, double memory_samples, const Split
   if (samples > from) kept_.push_back({from, samples, true});
   mask_.assign(samples, 0);
   for (const Piece& piece : pieces) {
-    const double share = pairs * length(piece) / n;
+    const double share = pairs_for(piece);
     const bool enough = piece.last - piece.first >= kFewestSamples;
     this->split(piece, std::max(std::round(share), enough ? kFewestOfPiece : 1),
                 !apart         ? split.estimation_share

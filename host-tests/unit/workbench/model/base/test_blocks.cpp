@@ -1,6 +1,7 @@
 // Which samples are fitted and which judge.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -91,6 +92,19 @@ TEST(Blocks, FitTheJudgingOnesThatARangeMeets) {
   EXPECT_TRUE(more.blocks()[1].estimation);
   EXPECT_FALSE(more.blocks()[3].estimation);
   EXPECT_EQ(more.samples(), blocks.samples());
+}
+
+TEST(Blocks, OfARecordingAreAsManyBesideAnotherAsAlone) {
+  const std::array both = {Piece{0, 900, "one.csv", 0, false, false},
+                           Piece{900, 2400, "two.csv", 0, false, false}};
+  constexpr double kMemory = 120;
+  const auto in_first = [&](std::span<const Piece> pieces) {
+    const Blocks blocks(pieces, kMemory);
+    return std::ranges::count_if(blocks.blocks(),
+                                 [](const Block& b) { return b.first < 900; });
+  };
+  EXPECT_EQ(in_first(both), in_first(std::span(both).first(1)));
+  EXPECT_EQ(in_first(both), 12);
 }
 
 TEST(Blocks, BeginBehindARestThatWasPutInFront) {
