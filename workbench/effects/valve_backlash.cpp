@@ -16,7 +16,8 @@ constexpr Description kDescription{
     .signature = "differs by half the gap between rising and falling u, without a jump",
     .cure =
         "Look for play: worn linkage, loose coupling between actuator and stem, a "
-        "worn feedback arm.",
+        "worn feedback arm. Where the stem follows u at once as u turns back, the play "
+        "is in the transmitter: its float, displacer or linkage.",
     .split = "log the stem position, or one fast and one slow stroke",
 };
 

@@ -81,18 +81,21 @@ double value_in(const Model& model, const Effect* effect, std::string_view name)
   return parameter->value;
 }
 
-// What a model file may lack: a form that the effect may take, and what goes with that
-// form. Without it the effect has not taken it.
+// A form that its effect may take and this file does not know, and all that goes with it:
+// without it the effect has not taken it.
 std::optional<double> value_without_form(const Model& model, const FreeRun::Slot& slot,
                                          std::span<const FreeRun::Slot> slots) {
-  const SearchedParameter& parameter = slot.parameter;
   const std::vector<Parameter>* own = parameters_of(model, slot.effect);
-  if (own == nullptr || find(*own, parameter.name) != nullptr) return std::nullopt;
-  if (!parameter.only_with.empty()) return parameter.high;
-  const bool is_form = std::ranges::any_of(slots, [&](const FreeRun::Slot& other) {
-    return other.effect == slot.effect && other.parameter.only_with == parameter.name;
+  if (own == nullptr || find(*own, slot.parameter.name) != nullptr) return std::nullopt;
+  const bool lacks_form = std::ranges::any_of(slots, [&](const FreeRun::Slot& other) {
+    const std::string_view form = other.parameter.only_with;
+    return other.effect == slot.effect && !form.empty() && find(*own, form) == nullptr;
   });
-  return is_form ? std::optional(0.0) : std::nullopt;
+  const SearchedParameter& parameter = slot.parameter;
+  if (!lacks_form || (!parameter.constant && parameter.only_with.empty())) {
+    return std::nullopt;
+  }
+  return parameter.only_with.empty() ? parameter.low : parameter.high;
 }
 
 // A limit at its bound was not reached where the model was fitted: neither is it here.

@@ -52,7 +52,7 @@ FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
       slots_.push_back({parameter, effect});
     }
     count_.push_back(slots_.size() - first_.back());
-    if (effect->description().place < Place::kProcess) valve_slots_end_ = slots_.size();
+    if (effect->description().place <= Place::kProcess) valve_slots_end_ = slots_.size();
   }
   pieces_.assign(situation.pieces.begin(), situation.pieces.end());
   if (pieces_.empty()) pieces_.push_back({0, situation.samples(), {}, 0, false});
@@ -163,7 +163,7 @@ void FreeRun::simulate_valve(std::span<const double> p) {
     for (const Effect* effect : effects_) {
       const Place place = effect->description().place;
       if (place == Place::kRate) stop_at_limit(i, p, signal);
-      if (place < Place::kProcess) effect->move(of(*effect, p, i), signal);
+      if (place <= Place::kProcess) effect->move(of(*effect, p, i), signal);
     }
     at_rest_[i] = signal.at_rest;
     weighed_ = weighed_ || signal.weighed;

@@ -16,8 +16,8 @@ namespace workbench {
     const std::string& effect, const std::vector<Parameter>& parameters,
     const Catalogue& catalogue = standard_catalogue());
 
-/// Those of `term` for people: less what its curve tells better, and less the end of a
-/// load that stays.
+/// Those of `term` for people: less what its curve tells better, and less what goes with
+/// a form that it has not taken, as the end of a load that stays.
 [[nodiscard]] std::vector<Parameter> told_parameters(const EffectTerm& term);
 
 }  // namespace workbench

@@ -1,6 +1,7 @@
 // A process that goes the wrong way first, one that rings by itself, and one that bends.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -51,6 +52,23 @@ struct Ringing {
     const double w = 2 * std::numbers::pi / 40;
     slope += dt * w * (w * (v - z) - 2 * 0.2 * slope);
     z += dt * slope;
+  }
+};
+
+// A lag, and a pipe behind it whose flow is u: later where u is low.
+struct PipeBehindLag {
+  double z = 0;
+  double passed = 0;
+  std::vector<std::array<double, 2>> inside = {{-1000, 0}, {0, 0}};  // passed, z
+  [[nodiscard]] double y() const {
+    std::size_t k = inside.size() - 1;
+    while (k > 0 && inside[k][0] > passed - 700) --k;
+    return inside[k][1];
+  }
+  void advance(double v, double dt) {
+    z += dt * (v - z) / 15;
+    passed += dt * (v + 50);
+    inside.push_back({passed, z});
   }
 };
 
@@ -166,6 +184,27 @@ TEST(NonlinearGain, ObjectsToAProcessThatIsOverAtOnce) {
   EXPECT_TRUE(gain.objection(here, of_storages, {}).empty());
   here.first_lag_s = 20;
   EXPECT_TRUE(gain.objection(here, behind, {}).empty());
+}
+
+TEST(DeadTime, FollowsTheFlowThroughAPipe) {
+  const LadderResult result = run_ladder(by_hand(0.2, 60, PipeBehindLag{}));
+  ASSERT_EQ(result.model.effects.size(), 1u);
+  const EffectTerm& term = result.model.effects[0];
+  ASSERT_EQ(term.effect, "process.dead_time");
+  EXPECT_EQ(term.parameters[1].value, 1) << "by flow";
+  const double ratio = term.parameters[4].value / term.parameters[3].value;
+  EXPECT_NEAR(term.parameters[2].value, ratio, 0.2 * ratio);
+  const double halfway = (term.parameters[3].value + term.parameters[4].value) / 2;
+  EXPECT_NEAR(term.parameters[0].value, 700 / halfway, 1.5);
+}
+
+TEST(DeadTime, IsTheSameEverywhereWhereItIs) {
+  test::SetpointLoop loop;
+  loop.delay = 6;
+  const LadderResult result = run_ladder(test::simulated(loop));
+  ASSERT_EQ(result.model.effects.size(), 1u);
+  EXPECT_EQ(result.model.effects[0].effect, "process.dead_time");
+  EXPECT_EQ(result.model.effects[0].parameters[1].value, 0) << "by flow";
 }
 
 }  // namespace

@@ -44,5 +44,12 @@ TEST(CurveOf, ALoadThatStaysHasNoEnd) {
   EXPECT_EQ(told_parameters(term).size(), 3u);
 }
 
+TEST(CurveOf, ADeadTimeThatIsTheSameEverywhereIsToldAlone) {
+  const EffectTerm term{
+      "process.dead_time",
+      {{"dead_time", "s", 5}, {"by_flow"}, {"flow_ratio", "1", 1}, {"flow_from", "u"}}};
+  EXPECT_EQ(told_parameters(term).size(), 1u);
+}
+
 }  // namespace
 }  // namespace workbench

@@ -74,7 +74,7 @@ TEST(ModelJson, AFormThatTheFileLacksIsNotTaken) {
   }
   const Model fewer = parse_model(json.dump(), "m.json");
   EXPECT_NEAR(compare(r, fewer).quality.rmse, compare(r, fitted).quality.rmse, 1e-9);
-  json["effects"][0]["parameters"].erase("through_process");
+  json["effects"][0]["parameters"].erase("time");
   const Model broken = parse_model(json.dump(), "m.json");
   EXPECT_THROW((void)compare(r, broken), InputError);
 }
