@@ -19,8 +19,8 @@ struct Block {
 
 /// Estimation and validation blocks in turns, three to two unless `split` wants another
 /// share, so that whatever sets in halfway is seen on both sides. A pair of blocks spans
-/// several times `memory_samples` as far as six pairs remain, or what `split` wants as
-/// far as two do; its length varies by a fifth around the mean, so that no period of the
+/// several times `memory_samples` as far as six pairs of each recording remain, or what
+/// `split` wants as far as two do; their length varies by a fifth, so that no period of a
 /// recording always falls on the same side. Each piece of a recording has pairs of its
 /// own, which begin behind a rest that was put in front of it. Where a piece judges, all
 /// of it is validation, and all of the others estimation. What is left out is in no
