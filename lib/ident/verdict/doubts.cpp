@@ -25,9 +25,6 @@ constexpr Threshold kClear = Threshold(60);
 constexpr Threshold kTimesBeside = Threshold(1.3);
 // Nats of a bounded stem over those of the best one that sticks.
 constexpr Threshold kTimesBounded = Threshold(1.2);
-// Nats of a bounded stem over those of the best one that sticks above which any stem
-// would do, where the latter has not as many more as decide alone.
-constexpr Threshold kAnyStem = Threshold(0.6);
 // What a limit cycle that nothing disturbs has running free: squared error of the linear
 // valve over that of the sticking one, and a fit, in percent, that leaves no room for a
 // load.
@@ -57,16 +54,6 @@ bool leaves_little(const Evidence<Real>& e) {
 template <class Real>
 Real best_nats(const Evidence<Real>& e) {
   return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
-}
-
-// Whether a bounded stem has nearly as many as the best one that sticks: it is not the
-// sticking which foretells y.
-template <class Real>
-bool any_stem_does(const Evidence<Real>& e) {
-  const Threshold sticks = exact(best_nats(e));
-  const Threshold bounded = exact(e.bounded.nats);
-  return kStemSearch && bounded > kAnyStem * sticks &&
-         bounded > sticks - Threshold(kAloneNats);
 }
 
 }  // namespace
@@ -139,9 +126,7 @@ bool bound_outweighs(const Evidence<Real>& e) {
 template <class Real>
 Reason doubt_bounded(Reason found, const Evidence<Real>& e) {
   if (!bound_outweighs(e)) {
-    const bool doubtful =
-        any_stem_does(e) && is_fault(verdict_of(found)) && !better_running_free(e);
-    return doubtful ? Reason::kEvidenceTooWeak : found;
+    return found;
   }
   const bool unsure =
       found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed ||

@@ -51,8 +51,7 @@ template <class Real>
 [[nodiscard]] bool bound_outweighs(const Evidence<Real>& evidence);
 /// What bound_outweighs() leaves of a fault: nothing firm. And of what was left open
 /// because a fault was not sure: a name, unless what happened one cycle ago tells nearly
-/// as much. Where the bounded stem has nearly as many nats nothing firm is left of a
-/// fault that no valve confirms running free.
+/// as much.
 template <class Real>
 [[nodiscard]] Reason doubt_bounded(Reason found, const Evidence<Real>& evidence);
 

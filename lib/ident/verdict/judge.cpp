@@ -57,6 +57,9 @@ constexpr Threshold kConfirmed = Threshold(10);
 // The same where u turns a few times only: each turn is a trial of its own, and what
 // chance brings grows with the number of samples that are predicted between them.
 constexpr Threshold kFewTurns = Threshold(8);
+// Closed-loop evidence beyond that of what else would do the stem's work, where that was
+// weighed, nats: what needs nothing beside it.
+constexpr Threshold kBeyondRivals = Threshold(20);
 // Running free, to agree: squared error of the linear valve over that of the sticking
 // one.
 constexpr Threshold kBetter = Threshold(1.15);
@@ -99,6 +102,16 @@ Threshold confirmation(const Evidence<Real>& e) {
   const Threshold ratio = exact(e.ladder.band / e.band_over_swing);
   const bool same = ratio > 1 / kSameBand && ratio < kSameBand;
   return same ? std::max(stem, exact(e.ladder.nats)) : stem;
+}
+
+// Whether so many nats of a stem need nothing beside them: what does a stem's work and
+// does not stick, the cycle before (E15) and bounded stems (E19), has to leave enough of
+// them.
+template <class Real>
+bool speaks_alone(const Evidence<Real>& e, Real nats) {
+  const Real rivals = std::max(e.cycle.nats, Real(0)) + std::max(e.bounded.nats, Real(0));
+  const bool weighed = kStemSearch && e.ladder.nats > Real(0);
+  return exact(nats - rivals) > (weighed ? kBeyondRivals : Threshold(kAloneNats));
 }
 
 // Whether the window was long enough for any.
@@ -242,8 +255,8 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
 
 template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
-  const bool seen_ahead = e.stem_weighed && exact(e.stem_nats) > Threshold(kAloneNats) &&
-                          e.stem_strokes >= kFewestStrokes;
+  const bool seen_ahead =
+      e.stem_weighed && speaks_alone(e, e.stem_nats) && e.stem_strokes >= kFewestStrokes;
   const bool wide = exact(e.band_over_swing) >= kWidestBand;
   const bool doubtful = kSmallSizes ? wide : e.reversals < kFewestTurns;
   if (e.form == ValveForm::kLinear || doubtful) {
@@ -281,9 +294,8 @@ template <class Real>
 bool searched_stem_sticks(const Evidence<Real>& e) {
   const SearchedStem<Real>& stem = e.searched;
   const Threshold band = exact(stem.wider_band());
-  return stem.asked && exact(stem.nats) > Threshold(kAloneNats) &&
-         stem.strokes >= kFewestStrokes && e.reversals >= kFiveCycles &&
-         band > kLeastBand && band < kWidestBand;
+  return stem.asked && speaks_alone(e, stem.nats) && stem.strokes >= kFewestStrokes &&
+         e.reversals >= kFiveCycles && band > kLeastBand && band < kWidestBand;
 }
 
 template <class Real>

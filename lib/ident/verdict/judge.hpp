@@ -8,8 +8,8 @@ namespace ident {
 /// Turning points of u in five cycles: with fewer, chance has too much of a say.
 inline constexpr int kFiveCycles = 10;
 
-/// Closed-loop evidence that needs nothing beside it, nats: 40, and 6 more because a stem
-/// that speaks is the best of some four hundred.
+/// Closed-loop evidence that needs nothing beside it where its rivals were not weighed,
+/// nats: 40, and 6 more because a stem that speaks is the best of some four hundred.
 inline constexpr double kAloneNats = 46;
 
 /// Closed-loop evidence that confirms what is better running free in most cycles, not

@@ -206,29 +206,6 @@ TEST(Doubts, LeaveAFaultOpenWhereABoundedStemTellsMore) {
   EXPECT_EQ(doubt_bounded(found, e), Reason::kStemBounded);
 }
 
-// Running free nothing confirms it: then what decides is by how much it tells more.
-TEST(Doubts, LeaveAFaultUnderLoadsOpenWhereAnyStemDoes) {
-  Evidence<double> e = sticking();
-  e.form = ValveForm::kLinear;
-  e.ladder.nats = 100;
-  e.bounded.nats = 59;
-  const Reason found = Reason::kSticksUnderLoad;
-  EXPECT_EQ(doubt_bounded(found, e), found);
-  e.bounded.nats = 61;
-  EXPECT_EQ(doubt_bounded(found, e), Reason::kEvidenceTooWeak);
-  EXPECT_EQ(doubt_bounded(Reason::kLinearExplains, e), Reason::kLinearExplains);
-  e.ladder.nats = 300;  // kAloneNats above it
-  e.bounded.nats = 253;
-  EXPECT_EQ(doubt_bounded(found, e), found);
-  e.bounded.nats = 255;
-  EXPECT_EQ(doubt_bounded(found, e), Reason::kEvidenceTooWeak);
-  Evidence<double> fitted = sticking();
-  fitted.ladder.nats = 100;
-  fitted.bounded.nats = 90;
-  EXPECT_EQ(doubt_bounded(Reason::kSticksBothStrokes, fitted),
-            Reason::kSticksBothStrokes);
-}
-
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {
   EXPECT_EQ(repeated(0, 500, 1, Reason::kLinearExplains), Reason::kLinearExplains);
 }

@@ -29,14 +29,15 @@ Evidence<double> weighed() {
   return e;
 }
 
-// Found running free by nothing but its better form, and by no rung.
+// Found running free by nothing but its better form, and by no rung, though one has a few
+// nats.
 Evidence<double> stem_alone() {
   Evidence<double> e = weighed();
   e.score = 0;
   e.error_ratio = 1;
   e.consistency = 0;
   e.cycles_better = 0;
-  e.ladder.nats = 0;
+  e.ladder.nats = 5;
   return e;
 }
 
@@ -130,11 +131,11 @@ TEST(JudgeOfBothKinds, TwoThatAgreeNeedTwentyFiveNats) {
   expect(agreeing([](auto& e) { e.cycles_better = 6; }), Reason::kEvidenceTooWeak);
 }
 
-TEST(JudgeOfBothKinds, AStemAloneNeedsManyNatsAndEightStrokes) {
+TEST(JudgeOfBothKinds, AStemAloneNeedsTwentyNatsAndEightStrokes) {
   const auto alone = [](Change change) { return judged(stem_alone(), change); };
   expect(alone([](auto&) {}), Reason::kSticksBothStrokes);
-  expect(alone([](auto& e) { e.stem_nats = 46.1; }), Reason::kSticksBothStrokes);
-  expect(alone([](auto& e) { e.stem_nats = 46; }), Reason::kEvidenceTooWeak);
+  expect(alone([](auto& e) { e.stem_nats = 20.1; }), Reason::kSticksBothStrokes);
+  expect(alone([](auto& e) { e.stem_nats = 20; }), Reason::kEvidenceTooWeak);
   expect(alone([](auto& e) { e.stem_strokes = 8; }), Reason::kSticksBothStrokes);
   expect(alone([](auto& e) { e.stem_strokes = 7; }), Reason::kEvidenceTooWeak);
   // What kind of fault it is, is asked as ever.
@@ -142,7 +143,7 @@ TEST(JudgeOfBothKinds, AStemAloneNeedsManyNatsAndEightStrokes) {
   expect(alone([](auto& e) { e.band_over_swing = 0.049; }), Reason::kBandDoesNotMatter);
 }
 
-TEST(JudgeOfBothKinds, ARungAloneNeedsTheSameAndABandThatMatters) {
+TEST(JudgeOfBothKinds, ARungAloneNeedsManyNatsAndABandThatMatters) {
   const auto rung = [](Change change) { return judged(rung_alone(), change); };
   expect(rung([](auto&) {}), Reason::kSticksUnderLoad);
   expect(rung([](auto& e) { e.ladder.nats = 46.1; }), Reason::kSticksUnderLoad);
@@ -166,8 +167,8 @@ TEST(JudgeOfBothKinds, ASearchedStemSpeaksInsteadOfARung) {
     return judged(e, change);
   };
   expect(stem([](auto&) {}), Reason::kSticksUnderLoad);
-  expect(stem([](auto& e) { e.searched.nats = 46.1; }), Reason::kSticksUnderLoad);
-  expect(stem([](auto& e) { e.searched.nats = 46; }), Reason::kEvidenceTooWeak);
+  expect(stem([](auto& e) { e.searched.nats = 20.1; }), Reason::kSticksUnderLoad);
+  expect(stem([](auto& e) { e.searched.nats = 20; }), Reason::kEvidenceTooWeak);
   expect(stem([](auto& e) {
            e.searched.nats = 0;
            e.ladder.nats = 500;
@@ -189,6 +190,34 @@ TEST(JudgeOfBothKinds, ASearchedStemSpeaksInsteadOfARung) {
          Reason::kSticksUnderLoad);
   expect(stem([](auto& e) { e.searched.band.descending.value = 1.05; }),
          Reason::kEvidenceTooWeak);
+}
+
+// What was said one cycle ago, and what bounded stems say, is none of a stem's own.
+TEST(JudgeOfBothKinds, AStemHasToTellTwentyNatsMoreThanItsRivals) {
+  Evidence<double> searched = rung_alone();
+  searched.searched = {true, 100, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  Evidence<double> fitted = stem_alone();
+  fitted.stem_nats = 100;
+  for (Evidence<double> e : {searched, fitted}) {
+    e.cycle.nats = 30;
+    e.bounded.nats = 49.9;
+    EXPECT_EQ(verdict_of(judge(e, true)), Verdict::kStiction);
+    e.bounded.nats = 50;
+    expect(judge(e, true), Reason::kEvidenceTooWeak);
+    e.bounded.nats = -50;
+    e.cycle.nats = 80;
+    expect(judge(e, true), Reason::kEvidenceTooWeak);
+  }
+}
+
+// Rivals are weighed where a rung has any nats.
+TEST(JudgeOfBothKinds, AStemWhoseRivalsWereNotWeighedNeedsManyNats) {
+  Evidence<double> e = rung_alone();
+  e.ladder.nats = 0;
+  e.searched = {true, 46.1, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  expect(judge(e, true), Reason::kSticksUnderLoad);
+  e.searched.nats = 46;
+  expect(judge(e, true), Reason::kEvidenceTooWeak);
 }
 
 // A load that comes and goes in steps is foretold by a stem, too; it explains nothing.
@@ -232,7 +261,7 @@ TEST(JudgeOfBothKinds, ASearchedStemIsToldInsteadOfAFittedOneWithFarFewerNats) {
   // A fitted valve whose stem was not weighed has none; but the other has to stick.
   e.stem_weighed = false;
   EXPECT_TRUE(searched_stem_is_told(e, fitted));
-  e.searched.nats = 46;
+  e.searched.nats = 20;
   EXPECT_FALSE(searched_stem_is_told(e, fitted));
   e.searched.nats = 80;
   e.searched.strokes = 7;
@@ -242,9 +271,9 @@ TEST(JudgeOfBothKinds, ASearchedStemIsToldInsteadOfAFittedOneWithFarFewerNats) {
 TEST(JudgeOfBothKinds, ASearchedStemIsToldInsteadOfBandsThatReachNothing) {
   const PerStroke<double> fitted{{true, 0.5, 0, 0.6}, {true, 0.1, 0, 0.2}};
   Evidence<double> e = weighed();
-  e.searched = {true, 46.1, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
+  e.searched = {true, 20.1, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.5, 0.4, 0.6}}};
   EXPECT_TRUE(searched_stem_is_told(e, fitted));
-  e.searched.nats = 46;
+  e.searched.nats = 20;
   EXPECT_FALSE(searched_stem_is_told(e, fitted));
 }
 
