@@ -181,8 +181,8 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
                          exact(e.error_ratio) >= kNegligible &&
                          exact(e.fit_percent) >= kPoorFit;
     const bool confirmed =
-        is_weighed(e) &&
-        std::max(confirmation(e), exact(e.ladder.nats)) > Threshold(kNoNats);
+        is_weighed(e) && std::max({confirmation(e), exact(e.ladder.nats),
+                                   exact(e.searched.nats)}) > Threshold(kNoNats);
     if (suspect && exact(e.band_over_swing) < kLeastBand) {
       return Reason::kBandDoesNotMatter;
     }
