@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "wire/j1939.hpp"
+
 namespace config {
 namespace {
 
@@ -49,8 +51,7 @@ bool DbcFile::find_spn(std::uint32_t pgn, std::uint32_t spn, wire::FrameSignal& 
     std::string signal;
     if (!(line >> id >> signal >> number) || number != spn) continue;
     id &= wire::kMaxExtendedId;
-    const bool to_one = (id >> 8 & 0xFF00) < 0xF000;
-    if ((id >> 8 & (to_one ? 0x3FF00U : 0x3FFFFU)) != pgn) continue;
+    if (wire::j1939::pgn_of(id) != pgn) continue;
     for (const wire::DbcMessage& message : content().messages()) {
       if (message.extended && message.id == id) {
         return find(std::string(message.name) + '.' + signal, out);

@@ -4,24 +4,19 @@
 
 #include "config/pdo_mapping.hpp"
 #include "config/source_reader.hpp"
+#include "wire/j1939.hpp"
 
 namespace config {
 namespace {
 
-constexpr std::uint32_t kPriority = 0x1C000000;
-constexpr std::uint32_t kSourceAddress = 0xFF;
-constexpr std::uint32_t kDestination = 0xFF00;
-constexpr std::uint32_t kFirstBroadcast = 0xF000;  // PGNs below have a destination
+namespace j1939 = wire::j1939;
+
 constexpr std::size_t kMostEdsBytes = std::size_t{4} << 20;
 
-// J1939-71: of an unsigned number the highest byte 0xFB and above is no value.
 void set_valid_range(Source& source) {
   const wire::Signal& signal = source.signal.signal;
-  if (signal.type != wire::ValueType::kInteger || signal.is_signed ||
-      signal.length % 8 != 0 || source.has_range) {
-    return;
-  }
-  const double most = 0xFB * std::ldexp(1.0, signal.length - 8) - 1;
+  if (!j1939::has_error_codes(signal) || source.has_range) return;
+  const double most = j1939::kFirstErrorCode * std::ldexp(1.0, signal.length - 8) - 1;
   const double ends[2] = {signal.offset, signal.offset + signal.scale * most};
   source.has_range = true;
   source.minimum = std::min(ends[0], ends[1]);
@@ -34,7 +29,7 @@ void SourceReader::read_j1939(TableReader& reader, Source& source) {
   source.bus = read_bus(reader);
   std::uint32_t pgn = 0;
   reader.require("pgn", "a parameter group number, e.g. 0xFEF2");
-  reader.read_integer("pgn", pgn, 0, 0x3FFFF);
+  reader.read_integer("pgn", pgn, 0, j1939::kMaxPgn);
   std::string path;
   reader.read("dbc", path);
   if (path.empty()) {
@@ -56,15 +51,14 @@ void SourceReader::read_j1939(TableReader& reader, Source& source) {
   }
   wire::FrameSignal& signal = source.signal;
   signal.extended = true;
-  const bool to_one = (pgn & 0xFF00) < kFirstBroadcast;
-  signal.ignored = kPriority | (to_one ? kDestination : 0);
+  signal.ignored = j1939::kPriority | (j1939::is_to_one(pgn) ? j1939::kDestination : 0);
   signal.frame_id = (pgn << 8 & wire::kMaxExtendedId) & ~signal.ignored;
   if (reader.has("source_address")) {
     std::uint32_t address = 0;
     reader.read_integer("source_address", address, 0, 0xFD);
     signal.frame_id |= address;
   } else {
-    signal.ignored |= kSourceAddress;
+    signal.ignored |= j1939::kSourceAddress;
   }
   set_valid_range(source);
   const std::string bus = source.bus < buses_.size() ? buses_[source.bus].name : "";

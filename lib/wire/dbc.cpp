@@ -1,5 +1,6 @@
 #include "wire/dbc.hpp"
 
+#include "wire/j1939.hpp"
 #include "wire/text.hpp"
 
 namespace wire {
@@ -50,14 +51,13 @@ DbcStatus find_signal(std::span<const DbcSignal> signals, std::string_view name,
 // No device sends from the null address of J1939: a broadcast message that names it is
 // its parameter group, from whatever sender and of whatever priority.
 void open_sender(FrameSignal& signal) {
-  constexpr std::uint32_t kAddress = 0xFF;
   constexpr std::uint32_t kNobody = 0xFE;
-  constexpr std::uint32_t kPriority = 0x1C000000;
-  constexpr std::uint32_t kBroadcast = 0xF0;  // formats from here on
-  const std::uint32_t format = signal.frame_id >> 16 & 0xFF;
-  const bool of_nobody = (signal.frame_id & kAddress) == kNobody;
-  if (!signal.extended || !of_nobody || format < kBroadcast) return;
-  signal.ignored = kPriority | kAddress;
+  const bool of_nobody = (signal.frame_id & j1939::kSourceAddress) == kNobody;
+  if (!signal.extended || !of_nobody ||
+      j1939::is_to_one(j1939::pgn_of(signal.frame_id))) {
+    return;
+  }
+  signal.ignored = j1939::kPriority | j1939::kSourceAddress;
   signal.frame_id &= ~signal.ignored;
 }
 

@@ -1,45 +1,36 @@
 #include "workbench/recording/can_series.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "config/source_reader.hpp"
 #include "wire/candump.hpp"
+#include "wire/j1939.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/stopped.hpp"
 
 namespace workbench {
 namespace {
 
+using config::hex_id;
+
 constexpr std::size_t kMaxIdsListed = 16;
 constexpr std::size_t kMaxIdsKept = 4096;
 
-std::string hex_id(std::uint32_t id, bool extended) {
-  std::array<char, 16> text;
-  std::snprintf(text.data(), text.size(), extended ? "%08X" : "%03X",
-                static_cast<unsigned>(id));
-  return text.data();
-}
-
 // Its identifier, or the parameter group where the sender is open.
 std::string frames_of(const wire::FrameSignal& signal) {
-  constexpr std::uint32_t kGroup = 0x3FFFF;
   return signal.ignored == 0
              ? "frames " + hex_id(signal.frame_id, signal.extended)
-             : "frames of PGN " + hex_id(signal.frame_id >> 8 & kGroup, false);
+             : "frames of PGN " + hex_id(wire::j1939::pgn_of(signal.frame_id), false);
 }
 
-// J1939 keeps the numbers above 0xFA…, of whole bytes, for errors and "not available".
 bool is_reserved(const wire::Signal& signal, const wire::CanFrame& frame) {
-  if (signal.type != wire::ValueType::kInteger || signal.is_signed ||
-      signal.length % 8 != 0) {
-    return false;
-  }
-  return wire::extract_raw(signal, frame) >> (signal.length - 8) > 0xFA;
+  return wire::j1939::has_error_codes(signal) && wire::extract_raw(signal, frame) >>
+                                                     (signal.length - 8) >=
+                                                     wire::j1939::kFirstErrorCode;
 }
 
 // Farther than half as wide as they are: no swing that limits cut off.
