@@ -9,6 +9,7 @@
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/header_names.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/labview_export.hpp"
 #include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/quality_words.hpp"
@@ -33,10 +34,9 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
     reader.next_line();
   }
   // A LabVIEW file: what its heads say of channels is no row.
-  const auto last =
-      std::find_if(lines.rbegin(), lines.rend(), [](const SampleLine& line) {
-        return line.text.starts_with("***End_of_Header***");
-      });
+  const auto last = std::find_if(
+      lines.rbegin(), lines.rend(),
+      [](const SampleLine& line) { return line.text.starts_with(kEndOfLabviewHead); });
   lines.erase(lines.begin(), last.base());
   return lines;
 }

@@ -9,12 +9,11 @@
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/json_table.hpp"
+#include "workbench/recording/labview_export.hpp"
 #include "workbench/recording/line_protocol.hpp"
-#include "workbench/recording/lvm_segments.hpp"
 #include "workbench/recording/ruled_table.hpp"
 #include "workbench/recording/scope_export.hpp"
 #include "workbench/recording/text_code.hpp"
-#include "workbench/recording/waveform_export.hpp"
 #include "workbench/recording/workbook.hpp"
 
 namespace workbench {
@@ -263,8 +262,7 @@ std::string_view tabular(std::string_view text, const std::string& file,
     text = storage;
   }
   std::optional<std::string> table = scope_text(text);
-  if (!table) table = waveform_text(text);
-  if (!table) table = lvm_segments_text(text, file);
+  if (!table) table = labview_text(text, file);
   if (!table) table = ruled_text(text);
   if (!table) table = fixed_width_text(text);
   if (!table) table = line_protocol_text(text, file);

@@ -12,7 +12,7 @@ namespace workbench {
 /// `bytes` without a byte-order mark. UTF-16 (either order, with or without mark) and a
 /// sheet of a workbook (workbook.hpp) are converted into `storage`, which then backs the
 /// result, as are exports of a scope, of LabVIEW and of InfluxDB (scope_export.hpp,
-/// waveform_export.hpp, line_protocol.hpp); all else is handed back as it stands,
+/// labview_export.hpp, line_protocol.hpp); all else is handed back as it stands,
 /// Windows-1252 included: utf8_of() turns its names into UTF-8. Throws InputError naming
 /// `file` for what is no text but known by its first bytes (a Parquet file, a web page,
 /// ...), with the way to save it as CSV, and for UTF-16 that is cut off. Converting

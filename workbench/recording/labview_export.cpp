@@ -1,4 +1,4 @@
-#include "workbench/recording/lvm_segments.hpp"
+#include "workbench/recording/labview_export.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,8 +13,64 @@
 namespace workbench {
 namespace {
 
-constexpr std::string_view kEndOfHead = "***End_of_Header***";
+// What stands behind `key` and a separator at the start of a line; nothing without one.
+std::optional<std::string_view> said(std::string_view head, std::string_view key) {
+  for (std::size_t at = 0; at < head.size();) {
+    const std::size_t end = std::min(head.find('\n', at), head.size());
+    std::string_view line = head.substr(at, end - at);
+    at = end + 1;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with(key) && line.size() > key.size() + 1) {
+      return line.substr(key.size() + 1);
+    }
+  }
+  return std::nullopt;
+}
 
+// The one number that all cells are.
+std::optional<double> common_number(std::string_view cells, char separator) {
+  std::string first(cells.substr(0, cells.find(separator)));
+  for (std::size_t at = 0; at < cells.size();) {
+    const std::size_t end = std::min(cells.find(separator, at), cells.size());
+    const std::string_view cell = cells.substr(at, end - at);
+    if (!cell.empty() && cell != first) return std::nullopt;
+    at = end + 1;
+  }
+  std::replace(first.begin(), first.end(), ',', '.');
+  return as_number(first);
+}
+
+// Each row with the time that X0 and Delta_X of the head give it.
+std::optional<std::string> with_times(std::string_view text) {
+  const std::size_t end_of_head = text.rfind(kEndOfLabviewHead);
+  const std::string_view head = text.substr(0, end_of_head);
+  if (said(head, "X_Columns") != "No") return std::nullopt;
+  const char separator = said(head, "Separator") == "Comma" ? ',' : '\t';
+  const std::optional<std::string_view> delta = said(head, "Delta_X");
+  const std::optional<double> step = common_number(delta.value_or(""), separator);
+  const std::optional<double> start =
+      common_number(said(head, "X0").value_or("0"), separator);
+  if (!step || !start || !(*step > 0)) return std::nullopt;
+  const bool comma = said(head, "Decimal_Separator") == ",";
+  const std::size_t names = std::min(text.find('\n', end_of_head), text.size() - 1) + 1;
+  const std::size_t rows = std::min(text.find('\n', names), text.size() - 1) + 1;
+  std::string out(text.substr(0, rows));
+  double row = 0;
+  for (std::size_t at = rows; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+    const std::string_view line = text.substr(at, end - at);
+    if (line[0] == separator) {
+      std::string time = number(*start + row++ * *step, 12);
+      if (comma) std::replace(time.begin(), time.end(), '.', ',');
+      out += time;
+    }
+    out += line;
+    at = end;
+  }
+  return row > 0 ? std::optional(out) : std::nullopt;
+}
+
+// The rows of all segments under the names of the first, each line where it was.
 class Segments {
  public:
   Segments(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
@@ -34,7 +90,7 @@ class Segments {
   }
 
   void read_line(std::string_view line) {
-    if (line.starts_with(kEndOfHead)) {
+    if (line.starts_with(kEndOfLabviewHead)) {
       ++heads_;
       names_next_ = heads_ > 1;
     } else if (names_next_) {
@@ -107,16 +163,17 @@ class Segments {
 
 }  // namespace
 
-std::optional<std::string> lvm_segments_text(std::string_view text,
-                                             const std::string& file) {
+std::optional<std::string> labview_text(std::string_view text, const std::string& file) {
   if (!text.starts_with("LabVIEW Measurement")) return std::nullopt;
+  // One head for the file, one for each segment.
   std::size_t heads = 0;
-  for (std::size_t at = text.find(kEndOfHead); at != std::string_view::npos && heads < 3;
-       at = text.find(kEndOfHead, at + 1)) {
+  for (std::size_t at = text.find(kEndOfLabviewHead);
+       at != std::string_view::npos && heads < 3;
+       at = text.find(kEndOfLabviewHead, at + 1)) {
     ++heads;
   }
-  if (heads < 3) return std::nullopt;
-  return Segments(text, file).joined();
+  if (heads == 0) return std::nullopt;
+  return heads < 3 ? with_times(text) : Segments(text, file).joined();
 }
 
 }  // namespace workbench
