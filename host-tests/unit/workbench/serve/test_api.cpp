@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "support/workbench/serve_session.hpp"
+#include "support/workbench/api_test.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/serve/api.hpp"
@@ -14,30 +14,13 @@ namespace {
 
 using nlohmann::json;
 
-class ServeApi : public ::testing::Test {
+class ServeApi : public test::ApiTest {
  protected:
-  ApiResponse ask(const std::string& method, const std::string& path,
-                  const std::string& body = "",
-                  const std::map<std::string, std::string>& query = {}) {
-    return answer(session_, {method, path, query, body});
-  }
-  json get(const std::string& path) { return json::parse(ask("GET", path).body); }
-  // Posts and waits for what it started.
-  int post(const std::string& path, const std::string& body = "",
-           const std::map<std::string, std::string>& query = {}) {
-    const ApiResponse response = ask("POST", path, body, query);
-    last_ = json::parse(response.body);
-    test::wait(session_);
-    return response.status;
-  }
   void open() {
     ASSERT_EQ(post("/api/recording", test::csv_of(test::late_recording()),
                    {{"name", "late.csv"}}),
               202);
   }
-
-  Session session_;
-  json last_;
 };
 
 TEST_F(ServeApi, GivesTheObjectsOfTheCommandLine) {

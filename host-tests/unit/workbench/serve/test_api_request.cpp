@@ -3,8 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/workbench/serve_session.hpp"
-#include "workbench/serve/api.hpp"
+#include "support/workbench/api_test.hpp"
 #include "workbench/serve/api_request.hpp"
 
 namespace workbench {
@@ -12,26 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-class ServeApiRequest : public ::testing::Test {
- protected:
-  ApiResponse ask(const std::string& method, const std::string& path,
-                  const std::string& body = "",
-                  const std::map<std::string, std::string>& query = {}) {
-    return answer(session_, {method, path, query, body});
-  }
-  json get(const std::string& path) { return json::parse(ask("GET", path).body); }
-  // Posts and waits for what it started.
-  int post(const std::string& path, const std::string& body = "",
-           const std::map<std::string, std::string>& query = {}) {
-    const ApiResponse response = ask("POST", path, body, query);
-    last_ = json::parse(response.body);
-    test::wait(session_);
-    return response.status;
-  }
-
-  Session session_;
-  json last_;
-};
+class ServeApiRequest : public test::ApiTest {};
 
 TEST_F(ServeApiRequest, ReadsARecordingBesideAsTheOneThatIsOpenWhereItCan) {
   const auto renamed = [](const std::string& header) {
