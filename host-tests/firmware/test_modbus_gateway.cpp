@@ -13,46 +13,47 @@ namespace {
 
 using namespace std::chrono_literals;
 
+// u and y of one loop; its metrics go to a.prom beside the file.
+void write_configuration(const std::string& path, int port) {
+  const std::string place =
+      "source = \"modbus\", host = \"127.0.0.1\", port = " + std::to_string(port);
+  std::ofstream(path)
+      << "[metrics]\npath = \"a.prom\"\nperiod_s = 1.0\n[[loop]]\nid = 1\ntag = \"A\"\n"
+         "sample_period_s = 0.1\nstale_after_s = 5.0\nu = { "
+      << place << ", address = 100, scale = 0.01 }\ny = { " << place
+      << ", table = \"input\", address = 7, scale = 0.1 }\n"
+      << std::flush;
+}
+
+bool shows(const std::string& metrics, const std::string& line, int tries = 50) {
+  for (int k = 0; k < tries; ++k, std::this_thread::sleep_for(100ms)) {
+    if (text_of(metrics).find(line) != std::string::npos) return true;
+  }
+  return false;
+}
+
 TEST(ModbusGateway, SamplesTheRegistersOfARealServer) {
   firmware::ModbusServer server;
   if (!server.ready()) GTEST_SKIP() << "no libmodbus, or no port on 127.0.0.1";
   server.holding(100, 4250);
   server.input(7, 615);
   const TemporaryFolder files;
-  const std::string place = "source = \"modbus\", host = \"127.0.0.1\", port = " +
-                            std::to_string(server.port());
-  std::ofstream(files.file("g.toml"))
-      << "[metrics]\npath = \"a.prom\"\nperiod_s = 1.0\n[[loop]]\nid = 1\ntag = \"A\"\n"
-         "sample_period_s = 0.1\nstale_after_s = 5.0\nu = { "
-      << place << ", address = 100, scale = 0.01 }\ny = { " << place
-      << ", table = \"input\", address = 7, scale = 0.1 }\n"
-      << std::flush;
+  write_configuration(files.file("g.toml"), server.port());
+  const std::string metrics = files.file("a.prom");
   const Process daemon({STICKBAND_DAEMON, "--config", files.file("g.toml")});
   ASSERT_TRUE(daemon.says("started")) << daemon.err();
-  const auto shows = [&](const std::string& line) {
-    for (int k = 0; k < 50; ++k, std::this_thread::sleep_for(100ms)) {
-      if (text_of(files.file("a.prom")).find(line) != std::string::npos) return true;
-    }
-    return false;
-  };
-  EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 42.5\n"));
-  EXPECT_TRUE(shows("stickband_loop_y_pct{loop=\"1\",tag=\"A\"} 61.5\n"));
+  EXPECT_TRUE(shows(metrics, "stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 42.5\n"));
+  EXPECT_TRUE(shows(metrics, "stickband_loop_y_pct{loop=\"1\",tag=\"A\"} 61.5\n"));
   server.holding(100, 5000);
-  EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 50\n"));
+  EXPECT_TRUE(shows(metrics, "stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 50\n"));
 }
 
 TEST(ModbusGateway, StartsWithoutAServerThatDoesNotAnswerAndTakesItWhenItComes) {
   const std::uint16_t port = free_port();
   if (port == 0) GTEST_SKIP() << "no port on 127.0.0.1";
   const TemporaryFolder files;
-  const std::string place =
-      "source = \"modbus\", host = \"127.0.0.1\", port = " + std::to_string(port);
-  std::ofstream(files.file("g.toml"))
-      << "[metrics]\npath = \"a.prom\"\nperiod_s = 1.0\n[[loop]]\nid = 1\ntag = \"A\"\n"
-         "sample_period_s = 0.1\nstale_after_s = 5.0\nu = { "
-      << place << ", address = 100, scale = 0.01 }\ny = { " << place
-      << ", table = \"input\", address = 7, scale = 0.1 }\n"
-      << std::flush;
+  write_configuration(files.file("g.toml"), port);
+  const std::string metrics = files.file("a.prom");
   const std::string server_name = "127.0.0.1:" + std::to_string(port);
   Process checked({STICKBAND_DAEMON, "--config", files.file("g.toml"), "--check"});
   const Process::Result check = checked.wait();
@@ -66,13 +67,8 @@ TEST(ModbusGateway, StartsWithoutAServerThatDoesNotAnswerAndTakesItWhenItComes) 
   if (!server.ready()) GTEST_SKIP() << "no libmodbus, or the port was taken";
   server.holding(100, 4250);
   server.input(7, 615);
-  const auto shows = [&](const std::string& line) {
-    for (int k = 0; k < 150; ++k, std::this_thread::sleep_for(100ms)) {
-      if (text_of(files.file("a.prom")).find(line) != std::string::npos) return true;
-    }
-    return false;
-  };
-  EXPECT_TRUE(shows("stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 42.5\n")) << daemon.err();
+  EXPECT_TRUE(shows(metrics, "stickband_loop_u_pct{loop=\"1\",tag=\"A\"} 42.5\n", 150))
+      << daemon.err();
 }
 
 }  // namespace
