@@ -226,6 +226,9 @@ const tests = {
     await page.locator('#ts').fill('abc');
     await page.setInputFiles('#file', counted());
     await page.waitForSelector('#alert :text("a positive number of seconds as the sample period")');
+    await page.locator('#ts').fill('1,000');
+    await page.setInputFiles('#file', counted());
+    await page.waitForSelector('#alert :text("is no number, or may be two")');
     await page.locator('#ts').fill('5');
     await page.setInputFiles('#file', loopAlone());
     await page.waitForSelector('#what:text("one every 5 s")');

@@ -1,5 +1,5 @@
 // Small helpers of the page.
-import {language} from './texts.js';
+import {language, say} from './texts.js';
 
 export const $ = id => document.getElementById(id);
 
@@ -29,11 +29,17 @@ const MARK = number(1.5).charAt(1), OTHER = MARK === ',' ? '.' : ',';
 // As it stands in a field, to be changed.
 export const written = (value, digits = 5) => String(Number(value.toPrecision(digits))).replace('.', MARK);
 
-// What a field says, with either decimal mark; null where it is no number, or may be two:
 // 1.000 is a thousand to some.
+export const mayBeTwo = text =>
+  new RegExp(`^[+-]?[1-9]\\d{0,2}(\\${OTHER}\\d{3})+$`).test(text.trim().replace('−', '-'));
+
+export const noNumber = (label, text) =>
+  say('{0}: “{1}” is no number, or may be two; write digits and one decimal mark.', label, text.trim());
+
+// What a field says, with either decimal mark; null where it is no number, or may be two.
 export function readNumber(text) {
   const bare = text.trim().replace('−', '-');
-  if (new RegExp(`^[+-]?[1-9]\\d{0,2}(\\${OTHER}\\d{3})+$`).test(bare)) return null;
+  if (mayBeTwo(bare)) return null;
   const value = Number(bare.replace(',', '.'));
   return /^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.test(bare) && Number.isFinite(value) ? value : null;
 }

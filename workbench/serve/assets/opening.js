@@ -1,7 +1,8 @@
 // Opening files: recordings, models, sessions; by button, by drop, or a simulated loop.
+import {complain} from './alert.js';
 import {ApiError, GivenUp, get, post, postForText, withQuery} from './api.js';
 import {Columns} from './columns.js';
-import {$} from './dom.js';
+import {$, mayBeTwo, noNumber} from './dom.js';
 import {say} from './texts.js';
 
 export class Opening {
@@ -105,6 +106,12 @@ export class Opening {
         return this.done(await post(withQuery(session ? '/api/session' : '/api/model', {name, turn}), file, signal));
       },
         say('{0} is no model and no session.', name), true);
+      return;
+    }
+    const unclear = ['ts', 'u-before'].map($).find(field => mayBeTwo(field.value));
+    if (unclear) {
+      const label = unclear.parentElement.querySelector('span').textContent.replace(/:$/, '');
+      complain(new Error(noNumber(label, unclear.value)), say('{0} cannot be used.', name), true);
       return;
     }
     const decimal = id => $(id).value.trim().replace(',', '.');

@@ -2,7 +2,7 @@
 import {ApiError, get, post} from './api.js';
 import {complain} from './alert.js';
 import {parameterWords} from './direction.js';
-import {$, capital, element, number, readNumber, written} from './dom.js';
+import {$, capital, element, noNumber, number, readNumber, written} from './dom.js';
 import {say} from './texts.js';
 
 const STEPS = 1000;
@@ -28,9 +28,7 @@ const ROUNDING = 1e-4;  // of a bound: the fields show five digits
 
 // Why `value`, read from `text`, is not taken; empty where it is.
 function problem(label, text, value, [low, high]) {
-  if (value === null) {
-    return say('{0}: “{1}” is no number, or may be two; write digits and one decimal mark.', label, text.trim());
-  }
+  if (value === null) return noNumber(label, text);
   low ??= -MOST;
   high ??= MOST;
   if (value >= low - ROUNDING * Math.abs(low) && value <= high + ROUNDING * Math.abs(high)) return '';
