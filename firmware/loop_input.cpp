@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wire/j1939.hpp"
+
 namespace firmware {
 namespace {
 
@@ -102,13 +104,12 @@ void LoopInput::take_value(Role role, std::int64_t t_us, double value) {
   }
 }
 
-// The sender of J1939 is the last byte of the identifier.
 bool LoopInput::is_from_another(Role role, std::int64_t t_us,
                                 const wire::CanFrame& frame) {
-  constexpr std::uint32_t kAddress = 0xFF;
+  using wire::j1939::kSourceAddress;
   Signal& s = signal(role);
-  if ((s.source->signal.ignored & kAddress) != kAddress) return false;
-  const auto address = static_cast<std::uint8_t>(frame.id & kAddress);
+  if ((s.source->signal.ignored & kSourceAddress) != kSourceAddress) return false;
+  const auto address = static_cast<std::uint8_t>(frame.id & kSourceAddress);
   const bool may_follow = !s.two_senders && s.sender && overdue(s, t_us);
   if (!s.sender || may_follow) {
     s.sender = address;
