@@ -38,8 +38,12 @@ TEST(RestBefore, MakesAStepTestOfAnAnswerAlone) {
   ASSERT_EQ(recording.resampling.notes.size(), 1u);
   const Model model = start_model(recording, Column::y).model;
   for (const Parameter& parameter : model.process) {
-    if (parameter.name == "gain") EXPECT_NEAR(parameter.value, 0.5, 0.02);
-    if (parameter.name == "first_lag") EXPECT_NEAR(parameter.value, 60, 2);
+    if (parameter.name == "gain") {
+      EXPECT_NEAR(parameter.value, 0.5, 0.02);
+    }
+    if (parameter.name == "first_lag") {
+      EXPECT_NEAR(parameter.value, 60, 2);
+    }
   }
 }
 
