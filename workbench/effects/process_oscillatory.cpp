@@ -6,6 +6,7 @@
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/effects/ringing.hpp"
 #include "workbench/effects/step_response.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
@@ -71,6 +72,10 @@ class Oscillatory final : public Effect {
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
     constexpr double kClear = 1.6;  // standard deviations
+    if (!swings(s, p)) {
+      return "after a move of u its output would not swing: a dead time beside two lags "
+             "answers as smoothly";
+    }
     if (is_overtone_of_u(s, p[0])) {
       return "u swings with a multiple of this period, and friction or a curve makes "
              "such overtones of a swing, too: they need steps of u to be told apart";
@@ -100,6 +105,35 @@ class Oscillatory final : public Effect {
       k = end;
     }
     return static_cast<double>(resting) > kMost * static_cast<double>(s.samples());
+  }
+  // (W30) What a short move of u calls forth comes again, or its reverse, once it has
+  // gone.
+  [[nodiscard]] bool swings(const Situation& s, std::span<const double> p) const {
+    constexpr double kLeast = 0.043;  // of the first swing: a damping of 1/√2
+    constexpr double kPerPeriod = 60;
+    constexpr double kLongest = 8;  // periods: longer lags are integrators here
+    ProcessShape shape;
+    const double longest_s = kLongest * p[0];
+    shape.first_lag_s = s.integrating ? 0 : std::min(s.first_lag_s, longest_s);
+    shape.second_lag_s = std::min(s.second_lag_s, longest_s);
+    form(p, shape);
+    const double step_s = p[0] / kPerPeriod;
+    const double time_s = 2 * (p[0] + shape.first_lag_s + shape.second_lag_s);
+    const auto n = static_cast<std::size_t>(time_s / step_s);
+    std::vector<double> u(n, 1.0);
+    std::vector<double> answer(n);
+    u.front() = 0;
+    ring_behind_lags(shape, step_s, u, answer);
+    std::vector<double> slope(n);
+    std::adjacent_difference(answer.begin(), answer.end(), slope.begin());
+    const auto peak = std::ranges::max_element(slope);
+    double least = *peak;
+    double swing = 0;
+    for (auto at = peak; at != slope.end(); ++at) {
+      least = std::min(least, *at);
+      swing = std::max(swing, *at - least);
+    }
+    return swing > kLeast * *peak;
   }
   // (W26) u is hardly more than one swing, of two to five such periods.
   static bool is_overtone_of_u(const Situation& s, double period_s) {

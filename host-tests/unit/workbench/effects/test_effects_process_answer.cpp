@@ -144,6 +144,26 @@ TEST(ProcessAnswer, RingingIsDoubtedOnlyWhereUDoesNotRest) {
   }
 }
 
+// A pair of poles that answers a pulse with one peak stands for a dead time and lags.
+TEST(ProcessAnswer, RingingHasToSwing) {
+  const Effect& rings = effects::process_oscillatory();
+  const Recording steps = by_hand(0.1, 80, Ringing());
+  Situation here = situation_of(steps.u, steps.y, 1);
+  const auto is_smooth = [&](double lag_s, double damping) {
+    here.first_lag_s = lag_s;
+    const std::string why = rings.objection(here, std::vector<double>{40, damping}, {});
+    return why.find("its output would not swing") != std::string::npos;
+  };
+  EXPECT_FALSE(is_smooth(0, 0.69));
+  EXPECT_TRUE(is_smooth(0, 0.73));
+  EXPECT_FALSE(is_smooth(20, 0.3));
+  EXPECT_TRUE(is_smooth(20, 0.6));
+  EXPECT_FALSE(is_smooth(1e5, 0.3));
+  here.integrating = true;
+  EXPECT_FALSE(is_smooth(20, 0.6));
+  EXPECT_TRUE(is_smooth(20, 0.8));
+}
+
 // A pot on a hotplate, one step of the plate: neither storage settles.
 TEST(ProcessAnswer, ASlowStartIsASecondStorageAndNoDrift) {
   std::mt19937_64 random(5);

@@ -226,6 +226,7 @@ export default {
   'record with a second sensor: only one of them has the spike': 'mit einem zweiten Sensor aufzeichnen: Nur einer von beiden hat die Spitze',
   'seen one sample ahead, beside the past of y, it does not go the wrong way: a load that the controller answers looks the same': 'einen Wert voraus gesehen, neben der Vergangenheit von y, geht er nicht falsch herum: Eine Last, auf die der Regler antwortet, sieht ebenso aus',
   'u swings with a multiple of this period, and friction or a curve makes such overtones of a swing, too: they need steps of u to be told apart': 'u schwingt mit einem Vielfachen dieser Periode, und Reibung oder eine Kennlinie macht solche Obertöne einer Schwingung auch: Sie zu unterscheiden braucht Schritte von u',
+  'after a move of u its output would not swing: a dead time beside two lags answers as smoothly': 'nach einer Bewegung von u schwänge sein Ausgang nicht: Eine Totzeit neben zwei Verzögerungen antwortet ebenso glatt',
   'seen one sample ahead, beside the past of y, its response does not swing back: a loop that swings under a load looks the same': 'einen Wert voraus gesehen, neben der Vergangenheit von y, schwingt seine Antwort nicht zurück: Ein Kreis, der unter einer Last schwingt, sieht ebenso aus',
   'stored points': 'gespeicherte Punkte',
   'the process is over within two samples, so that a curve behind it cannot be told from one of the valve': 'der Prozess ist nach zwei Werten zu Ende, sodass eine Kurve hinter ihm nicht von einer des Ventils zu unterscheiden ist',
