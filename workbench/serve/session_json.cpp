@@ -7,6 +7,7 @@
 
 #include "workbench/model/base/joined.hpp"
 #include "workbench/model/fit/fit.hpp"
+#include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/input_error.hpp"
@@ -45,6 +46,7 @@ void add_words(const std::vector<Parameter>& parameters, Json& json) {
     json[p.name]["words"] = name_in_words(p.name);
     const std::string choice = choice_in_words(p);
     if (!choice.empty()) json[p.name]["choice"] = choice;
+    if (is_idle(parameters, p.name)) json[p.name]["idle"] = true;
   }
 }
 

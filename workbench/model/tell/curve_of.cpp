@@ -16,18 +16,19 @@ std::optional<NamedCurve> curve_of(const std::string& effect,
   return known->named_curve(values);
 }
 
+bool is_idle(const std::vector<Parameter>& parameters, std::string_view name) {
+  const auto not_taken = [&](std::string_view form) {
+    return std::ranges::any_of(
+        parameters, [&](const Parameter& p) { return p.name == form && p.value < 0.5; });
+  };
+  return (name == "end" && not_taken("passing")) ||
+         ((name == "by_flow" || name.starts_with("flow_")) && not_taken("by_flow"));
+}
+
 std::vector<Parameter> told_parameters(const EffectTerm& term) {
   std::vector<Parameter> out = term.parameters;
-  const auto leave_out_without = [&out](std::string_view form,
-                                        std::initializer_list<std::string_view> names) {
-    const bool taken = std::ranges::none_of(
-        out, [&](const Parameter& p) { return p.name == form && p.value < 0.5; });
-    if (taken) return;
-    std::erase_if(
-        out, [&](const Parameter& p) { return std::ranges::count(names, p.name) > 0; });
-  };
-  leave_out_without("passing", {"end"});
-  leave_out_without("by_flow", {"by_flow", "flow_ratio", "flow_from", "flow_to"});
+  std::erase_if(out,
+                [&](const Parameter& p) { return is_idle(term.parameters, p.name); });
   const std::optional<NamedCurve> curve = curve_of(term.effect, term.parameters);
   if (!curve) return out;
   std::erase_if(out, [&curve](const Parameter& p) {

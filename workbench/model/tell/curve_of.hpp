@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workbench/effects/catalogue.hpp"
@@ -16,8 +17,12 @@ namespace workbench {
     const std::string& effect, const std::vector<Parameter>& parameters,
     const Catalogue& catalogue = standard_catalogue());
 
-/// Those of `term` for people: less what its curve tells better, and less what goes with
-/// a form that it has not taken, as the end of a load that stays.
+/// Whether the parameter goes with a form that its effect has not taken, as the end of a
+/// load that stays; of all `parameters` of the effect.
+[[nodiscard]] bool is_idle(const std::vector<Parameter>& parameters,
+                           std::string_view name);
+
+/// Those of `term` for people: less what its curve tells better, and less what is_idle().
 [[nodiscard]] std::vector<Parameter> told_parameters(const EffectTerm& term);
 
 }  // namespace workbench

@@ -26,7 +26,7 @@ export class Models {
     models.forEach((model, i) => {
       for (const [group, parameters] of [['process', model.process],
         ...model.effects.map(term => [term.effect, term.parameters])]) {
-        for (const p of Object.values(parameters)) {
+        for (const p of Object.values(parameters).filter(({idle}) => !idle)) {
           const key = `${capital(this.title(group))}: ${parameterWords(p.words)}` +
             (p.unit === '1' ? '' : `, ${p.unit}`);
           if (!rows.has(key)) rows.set(key, models.map(() => '–'));

@@ -122,7 +122,7 @@ export class Play {
     const list = element('div', {className: 'sliders'});
     const add = (group, parameters) => {
       list.append(element('div', {}, element('h3', {textContent: capital(this.title(group))}),
-        element('ul', {}, ...Object.entries(parameters).filter(([, p]) => !p.derived)
+        element('ul', {}, ...Object.entries(parameters).filter(([, p]) => !p.derived && !p.idle)
           .map(([name, p]) => this.row(group, name, p)))));
     };
     for (const term of this.model.effects) add(term.effect, term.parameters);
