@@ -58,12 +58,12 @@ export function counted(name = 'Sample', step = 1) {
   return path('counted.csv');
 }
 
-// The loop under a load that comes halfway, behind a longer dead time.
+// The loop under a load that comes halfway, behind a longer dead time, with a sensor that spikes.
 export function loaded() {
   const rows = readFileSync(simulated('stiction-setpoint', 'one-loop.csv'), 'utf8').trim().split('\n')
     .slice(1, 801).map(row => row.split(',').map(Number));
   writeFileSync(path('loaded.csv'), ['t,u,y', ...rows.map(([t, u], k) =>
-    [t, u, rows[Math.max(0, k - 12)][2] + (k > 400 ? 6 : 0)].join(','))].join('\n') + '\n');
+    [t, u, rows[Math.max(0, k - 12)][2] + (k > 400 ? 6 : 0) + (k % 97 === 5 ? 8 : 0)].join(','))].join('\n') + '\n');
   return path('loaded.csv');
 }
 
