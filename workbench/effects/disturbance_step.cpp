@@ -92,11 +92,16 @@ class Step final : public Effect {
     static constexpr SolvedParameter kSolved[] = {{"amplitude", "y"}};
     return kSolved;
   }
+  [[nodiscard]] OptionalForm optional_form() const override {
+    static constexpr std::string_view kPassingOnly[] = {"end"};
+    return {"passing", kPassingOnly};
+  }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     const double end = s.duration_s();
     const double lag_s = std::min(s.first_lag_s, end / 5);
     std::vector<Values> out;
-    for (const std::size_t at : level_changes(s)) {
+    const LevelChanges changes = level_changes(s);
+    for (const std::size_t at : changes.for_good) {
       const double time = (static_cast<double>(at) - 0.5) * s.period_s;
       std::size_t first = at;
       std::size_t last = at;
@@ -112,7 +117,7 @@ class Step final : public Effect {
         out.push_back({std::max(0.0, time - 2 * share * lag_s), 1, 0, end});
       }
     }
-    for (const PassingLevel& level : passing_levels(s)) {
+    for (const PassingLevel& level : changes.passing) {
       const double from = (static_cast<double>(level.first) - 0.5) * s.period_s;
       const double to = (static_cast<double>(level.last) - 0.5) * s.period_s;
       out.push_back({from, 0, 1, to});

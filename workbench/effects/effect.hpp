@@ -159,6 +159,12 @@ struct NamedCurve {
   std::span<const std::string_view> inside;   ///< parameters that the curve tells better
 };
 
+/// A form that an effect may take, and the parameters that mean nothing where it has not.
+struct OptionalForm {
+  std::string_view constant;  ///< above 0.5 where it is taken; empty: no such form
+  std::span<const std::string_view> parameters = {};
+};
+
 class Effect {
  public:
   /// The description must outlive the effect.
@@ -210,6 +216,7 @@ class Effect {
       std::span<const double> /*p*/) const {
     return std::nullopt;
   }
+  [[nodiscard]] virtual OptionalForm optional_form() const { return {}; }
   /// Of a limit: why it may never show although it is there, one sentence; empty where
   /// nothing in u says so.
   [[nodiscard]] virtual std::string out_of_reach(const Situation&) const { return {}; }

@@ -201,13 +201,9 @@ PassingLevel best_pair(const Changes& changes, const std::vector<PassingLevel>& 
   return best;
 }
 
-}  // namespace
-
-std::vector<std::size_t> level_changes(const Situation& s) {
-  const Changes all(s);
-  const std::size_t n = all.samples();
-  std::vector<double> gain(n);
-  for (std::size_t k = 0; k < n; ++k) gain[k] = all.gain(k);
+// `gain` of a change at each sample.
+std::vector<std::size_t> best_changes(std::vector<double> gain) {
+  const std::size_t n = gain.size();
   std::vector<std::size_t> changes;
   const std::size_t edge = edge_of(n);
   while (changes.size() < 3 && n > 2 * edge) {
@@ -221,14 +217,11 @@ std::vector<std::size_t> level_changes(const Situation& s) {
   return changes;
 }
 
-std::vector<PassingLevel> passing_levels(const Situation& s) {
+// `for_good`: what the best change for good takes away.
+std::vector<PassingLevel> best_passing(const Changes& changes, const Situation& s,
+                                       double for_good) {
   constexpr std::size_t kMost = 2;
-  const Changes changes(s);
   const std::size_t n = changes.samples();
-  double for_good = 0;
-  for (std::size_t k = edge_of(n); k + edge_of(n) < n; ++k) {
-    for_good = std::max(for_good, changes.gain(k));
-  }
   std::vector<PassingLevel> out;
   while (out.size() < kMost) {
     const PassingLevel pair = best_pair(changes, out, n / 20);
@@ -237,6 +230,19 @@ std::vector<PassingLevel> passing_levels(const Situation& s) {
     if (!is_worth_its_end(changes, level, s, for_good)) break;
     out.push_back(level);
   }
+  return out;
+}
+
+}  // namespace
+
+LevelChanges level_changes(const Situation& s) {
+  const Changes changes(s);
+  std::vector<double> gain(changes.samples());
+  for (std::size_t k = 0; k < gain.size(); ++k) gain[k] = changes.gain(k);
+  LevelChanges out;
+  out.for_good = best_changes(gain);
+  const double most = out.for_good.empty() ? 0 : gain[out.for_good.front()];
+  out.passing = best_passing(changes, s, most);
   return out;
 }
 

@@ -115,6 +115,11 @@ class DeadTime final : public ShownByMoves {
              .high = s.u_high,
              .constant = true}};
   }
+  [[nodiscard]] OptionalForm optional_form() const override {
+    static constexpr std::string_view kByFlowOnly[] = {"by_flow", "flow_ratio",
+                                                       "flow_from", "flow_to"};
+    return {"by_flow", kByFlowOnly};
+  }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     constexpr double kShows = 1.5;  // a ratio below is a dead time like any other
     std::vector<Values> out;

@@ -159,9 +159,14 @@ std::vector<std::string> telling_labels(const std::vector<Json>& labels) {
   return out;
 }
 
+// The name of the metric among the labels; null where there is none.
+Json metric_of(const Json& labels) {
+  return labels.contains("__name__") ? labels["__name__"] : Json();
+}
+
 // FIC101.op: the labels that tell a series from others, and its name; without the name
 // of a metric that all series have.
-std::string tag_of(const Json& series, const char* name, const Json& labels,
+std::string tag_of(const Json& of, const Json& labels,
                    const std::vector<std::string>& telling, bool one_metric) {
   std::string tag;
   const auto add = [&tag](const Json& part) {
@@ -171,11 +176,10 @@ std::string tag_of(const Json& series, const char* name, const Json& labels,
   for (const std::string& label : telling) {
     if (labels.contains(label)) add(labels[label]);
   }
-  const Json& of = series[name];
   if (!of.is_object()) {
     add(of);
-  } else if (of.contains("__name__") && (tag.empty() || !one_metric)) {
-    add(of["__name__"]);
+  } else if (tag.empty() || !one_metric) {
+    add(metric_of(of));
   }
   return tag.empty() ? of.dump() : tag;
 }
@@ -189,9 +193,6 @@ bool add_series(const Json& series, const char* rows, const char* name, Rows& ou
     labels.push_back(labels_of(one, name));
   }
   const std::vector<std::string> telling = telling_labels(labels);
-  const auto metric_of = [](const Json& of) {
-    return of.contains("__name__") ? of["__name__"] : Json();
-  };
   // A metric "op" of several loops still says what the value is.
   const Json metric = labels.empty() ? Json() : metric_of(labels.front());
   const bool one_metric =
@@ -202,7 +203,7 @@ bool add_series(const Json& series, const char* rows, const char* name, Rows& ou
     std::vector<std::string> names = names_in(series[i]);
     if (names.empty()) names = {"time", "value"};
     add_rows(series[i][rows], names,
-             tag_of(series[i], name, labels[i], telling, one_metric), out);
+             tag_of(series[i][name], labels[i], telling, one_metric), out);
   }
   return true;
 }

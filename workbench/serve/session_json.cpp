@@ -46,7 +46,6 @@ void add_words(const std::vector<Parameter>& parameters, Json& json) {
     json[p.name]["words"] = name_in_words(p.name);
     const std::string choice = choice_in_words(p);
     if (!choice.empty()) json[p.name]["choice"] = choice;
-    if (is_idle(parameters, p.name)) json[p.name]["idle"] = true;
   }
 }
 
@@ -126,7 +125,12 @@ Json quality_json(const ModelStep& step) {
   for (const char* key : {"recording", "initial_state", "schema", "kind"}) out.erase(key);
   add_words(step.model.process, out["process"]);
   for (std::size_t i = 0; i < step.model.effects.size(); ++i) {
-    add_words(step.model.effects[i].parameters, out["effects"][i]["parameters"]);
+    const EffectTerm& term = step.model.effects[i];
+    Json& parameters = out["effects"][i]["parameters"];
+    add_words(term.parameters, parameters);
+    for (const Parameter& p : term.parameters) {
+      if (is_idle(term, p.name)) parameters[p.name]["idle"] = true;
+    }
   }
   out["fit_percent"] = step.comparison.quality.fit_percent;
   out["rmse"] = step.comparison.quality.rmse;

@@ -16,19 +16,19 @@ std::optional<NamedCurve> curve_of(const std::string& effect,
   return known->named_curve(values);
 }
 
-bool is_idle(const std::vector<Parameter>& parameters, std::string_view name) {
-  const auto not_taken = [&](std::string_view form) {
-    return std::ranges::any_of(
-        parameters, [&](const Parameter& p) { return p.name == form && p.value < 0.5; });
-  };
-  return (name == "end" && not_taken("passing")) ||
-         ((name == "by_flow" || name.starts_with("flow_")) && not_taken("by_flow"));
+bool is_idle(const EffectTerm& term, std::string_view name, const Catalogue& catalogue) {
+  const Effect* const known = catalogue.find(term.effect);
+  if (known == nullptr) return false;
+  const OptionalForm form = known->optional_form();
+  return std::ranges::find(form.parameters, name) != form.parameters.end() &&
+         std::ranges::any_of(term.parameters, [&form](const Parameter& p) {
+           return p.name == form.constant && p.value < 0.5;
+         });
 }
 
 std::vector<Parameter> told_parameters(const EffectTerm& term) {
   std::vector<Parameter> out = term.parameters;
-  std::erase_if(out,
-                [&](const Parameter& p) { return is_idle(term.parameters, p.name); });
+  std::erase_if(out, [&term](const Parameter& p) { return is_idle(term, p.name); });
   const std::optional<NamedCurve> curve = curve_of(term.effect, term.parameters);
   if (!curve) return out;
   std::erase_if(out, [&curve](const Parameter& p) {

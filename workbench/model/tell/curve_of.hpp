@@ -17,10 +17,10 @@ namespace workbench {
     const std::string& effect, const std::vector<Parameter>& parameters,
     const Catalogue& catalogue = standard_catalogue());
 
-/// Whether the parameter goes with a form that its effect has not taken, as the end of a
-/// load that stays; of all `parameters` of the effect.
-[[nodiscard]] bool is_idle(const std::vector<Parameter>& parameters,
-                           std::string_view name);
+/// Whether the parameter of that name goes with a form that its effect has not taken, as
+/// the end of a load that stays.
+[[nodiscard]] bool is_idle(const EffectTerm& term, std::string_view name,
+                           const Catalogue& catalogue = standard_catalogue());
 
 /// Those of `term` for people: less what its curve tells better, and less what is_idle().
 [[nodiscard]] std::vector<Parameter> told_parameters(const EffectTerm& term);

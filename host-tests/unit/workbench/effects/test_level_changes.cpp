@@ -18,7 +18,7 @@ TEST(LevelChanges, DatesTheChange) {
   Situation s;
   s.residual = residual;
   s.estimation = all;
-  const auto changes = level_changes(s);
+  const auto changes = level_changes(s).for_good;
   ASSERT_FALSE(changes.empty());
   EXPECT_EQ(changes[0], 300u);
 }
@@ -29,7 +29,7 @@ TEST(LevelChanges, KnowsNoneWhereNothingIsLeft) {
   Situation s;
   s.residual = residual;
   s.estimation = all;
-  EXPECT_TRUE(level_changes(s).empty());
+  EXPECT_TRUE(level_changes(s).for_good.empty());
 }
 
 // The controller takes a load off y, and the model without the load has bent its gain.
@@ -39,7 +39,7 @@ TEST(LevelChanges, DatesALoadThatTheControllerAnswers) {
   const Recording recording = test::simulated(loop);
   const Fitter fitter(recording, Column::y);
   const Fit bent = fitter.start({});
-  const auto changes = level_changes(fitter.situation(bent));
+  const auto changes = level_changes(fitter.situation(bent)).for_good;
   ASSERT_FALSE(changes.empty());
   EXPECT_NEAR(static_cast<double>(changes[0]), 730, 20);
 }
@@ -56,7 +56,7 @@ std::vector<PassingLevel> passing(std::size_t end, double height) {
   Situation s;
   s.residual = residual;
   s.estimation = all;
-  return passing_levels(s);
+  return level_changes(s).passing;
 }
 
 TEST(LevelChanges, DatesBothEndsOfWhatPasses) {

@@ -49,8 +49,8 @@ TEST(CurveOf, ADeadTimeThatIsTheSameEverywhereIsToldAlone) {
       "process.dead_time",
       {{"dead_time", "s", 5}, {"by_flow"}, {"flow_ratio", "1", 1}, {"flow_from", "u"}}};
   EXPECT_EQ(told_parameters(term).size(), 1u);
-  EXPECT_FALSE(is_idle(term.parameters, "dead_time"));
-  EXPECT_TRUE(is_idle(term.parameters, "flow_to"));
+  EXPECT_FALSE(is_idle(term, "dead_time"));
+  EXPECT_TRUE(is_idle(term, "flow_to"));
 }
 
 }  // namespace
