@@ -50,12 +50,6 @@ bool leaves_little(const Evidence<Real>& e) {
          exact(e.fit_percent) > kExplainsNearlyAll;
 }
 
-// Nats of the best stem of all that were asked.
-template <class Real>
-Real best_nats(const Evidence<Real>& e) {
-  return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
-}
-
 }  // namespace
 
 template <class Real>
@@ -74,7 +68,9 @@ Reason doubt_compressed(Reason found, const Evidence<Real>& e,
   const bool agreed = e.stem_weighed && exact(e.stem_nats) > Threshold(kAloneNats);
   const bool free_running =
       better_running_free(e) && (agreed || exact(e.error_ratio) > kUnconfirmed);
-  const bool doubtful = healthy ? far : decided && !free_running;
+  const bool foretells = kStemSearch && searched_stem_sticks(e) &&
+                         exact(beyond_rivals(e, e.searched.nats)) > Threshold(kAloneNats);
+  const bool doubtful = healthy ? far : decided && !free_running && !foretells;
   return health.compressed && doubtful ? Reason::kCompressed : found;
 }
 

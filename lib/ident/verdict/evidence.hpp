@@ -124,6 +124,12 @@ template <class Real>
   return e.stem_weighed ? e.stem_nats : none;
 }
 
+/// That of the best stem of all that were asked.
+template <class Real>
+[[nodiscard]] Real best_nats(const Evidence<Real>& e) {
+  return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
+}
+
 /// Chooses the form, the simplest one that the data support: each parameter more must
 /// earn its keep in the likelihood of the independent samples. Takes `observations` from
 /// `evidence` and fills in all that follows from the errors of the searched models.

@@ -12,9 +12,9 @@ constexpr Threshold kPoorFit = Threshold(25);
 // Nor, below this one, is a stem the valve's that foretells y one sample ahead alone: so
 // does what knows where a load stands that comes and goes in steps.
 constexpr Threshold kLeastFit = Threshold(15);
-// Unless its band is wider than this share of the swing of u: such a stem knows of no
-// level between the extremes, and where the load drifts as far as u swings no valve
-// explains y running free.
+// Unless it has kAloneNats beyond what does its work, or its band is wider than this
+// share of the swing of u: such a stem knows of no level between the extremes, and where
+// the load drifts as far as u swings no valve explains y running free.
 constexpr Threshold kKnowsNoLevel = Threshold(0.5);
 // But a stem that leaves all but this share of y, in percent, to loads moves nothing.
 constexpr Threshold kMovesNothing = Threshold(6);
@@ -104,14 +104,12 @@ Threshold confirmation(const Evidence<Real>& e) {
   return same ? std::max(stem, exact(e.ladder.nats)) : stem;
 }
 
-// Whether so many nats of a stem need nothing beside them: what does a stem's work and
-// does not stick, the cycle before (E15) and bounded stems (E19), has to leave enough of
-// them.
+// Whether so many nats of a stem need nothing beside them.
 template <class Real>
 bool speaks_alone(const Evidence<Real>& e, Real nats) {
-  const Real rivals = std::max(e.cycle.nats, Real(0)) + std::max(e.bounded.nats, Real(0));
   const bool weighed = kStemSearch && e.ladder.nats > Real(0);
-  return exact(nats - rivals) > (weighed ? kBeyondRivals : Threshold(kAloneNats));
+  return exact(beyond_rivals(e, nats)) >
+         (weighed ? kBeyondRivals : Threshold(kAloneNats));
 }
 
 // Whether the window was long enough for any.
@@ -254,6 +252,11 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
 }  // namespace
 
 template <class Real>
+Real beyond_rivals(const Evidence<Real>& e, Real nats) {
+  return nats - std::max(e.cycle.nats, Real(0)) - std::max(e.bounded.nats, Real(0));
+}
+
+template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
   const bool seen_ahead =
       e.stem_weighed && speaks_alone(e, e.stem_nats) && e.stem_strokes >= kFewestStrokes;
@@ -280,9 +283,11 @@ bool load_may_hide(const Evidence<Real>& e) {
 
 template <class Real>
 bool moves_output(const Evidence<Real>& e) {
-  return kSmallSizes || exact(e.fit_percent) > kLeastFit ||
-         (kStemSearch && exact(e.fit_percent) > kMovesNothing &&
-          exact(e.searched.wider_band()) > kKnowsNoLevel);
+  const bool wide = kStemSearch && exact(e.fit_percent) > kMovesNothing &&
+                    exact(e.searched.wider_band()) > kKnowsNoLevel;
+  const bool sure =
+      kStemSearch && exact(beyond_rivals(e, best_nats(e))) > Threshold(kAloneNats);
+  return kSmallSizes || exact(e.fit_percent) > kLeastFit || wide || sure;
 }
 
 template <class Real>
@@ -349,6 +354,7 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
 
 #define STICKBAND_INSTANTIATE(Real)                                         \
   template Reason strokes_that_stick<Real>(Reason, const PerStroke<Real>&); \
+  template Real beyond_rivals<Real>(const Evidence<Real>&, Real);           \
   template bool fitted_valve_sticks<Real>(const Evidence<Real>&);           \
   template bool load_may_hide<Real>(const Evidence<Real>&);                 \
   template bool moves_output<Real>(const Evidence<Real>&);                  \

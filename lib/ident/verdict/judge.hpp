@@ -38,7 +38,8 @@ template <class Real>
 [[nodiscard]] bool load_may_hide(const Evidence<Real>& evidence);
 
 /// Whether the valve that was found explains enough of y, running free, for a stem that
-/// only foretells y to be its own. The small sizes, for lack of flash, leave that open.
+/// only foretells y to be its own, or the stem has nats enough to need none of that. The
+/// small sizes, for lack of flash, leave that open.
 template <class Real>
 [[nodiscard]] bool moves_output(const Evidence<Real>& evidence);
 
@@ -60,6 +61,11 @@ template <class Real>
 /// valve does. Not in the small sizes.
 template <class Real>
 [[nodiscard]] bool few_levels(const LoopEvidence<Real>& loop);
+
+/// What of the nats of a stem is beyond what does a stem's work and does not stick: the
+/// cycle before (E15) and bounded stems (E19).
+template <class Real>
+[[nodiscard]] Real beyond_rivals(const Evidence<Real>& evidence, Real nats);
 
 /// Whether a stem that was searched one sample ahead says that the valve sticks.
 template <class Real>

@@ -60,6 +60,24 @@ TEST(Doubts, AsksOfLinesBetweenStoredPointsThatTheValveConvincesRunningFree) {
   EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kStiction);
 }
 
+TEST(Doubts, AsksOfAStemBetweenStoredPointsWhatOneAloneHasToHave) {
+  RecordHealth<double> health;
+  health.compressed = true;
+  health.points_apart = 2;
+  Evidence<double> e = sticking();
+  e.form = ValveForm::kLinear;
+  e.ladder.nats = 1;
+  e.searched = {true, 60, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  const auto verdict = [&] {
+    return verdict_of(doubt_compressed(Reason::kSticksUnderLoad, e, health));
+  };
+  EXPECT_EQ(verdict(), Verdict::kStiction);
+  e.cycle.nats = 15;
+  EXPECT_EQ(verdict(), Verdict::kUndecided);
+  health.compressed = false;
+  EXPECT_EQ(verdict(), Verdict::kStiction);
+}
+
 // Of a loop under load, with so many nats of its stem and of the cycle before.
 Reason repeated(double stem_nats, double cycle_nats, double error_ratio = 2,
                 Reason found = Reason::kSticksBothStrokes) {

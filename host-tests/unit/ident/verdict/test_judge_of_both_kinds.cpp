@@ -223,11 +223,22 @@ TEST(JudgeOfBothKinds, AStemWhoseRivalsWereNotWeighedNeedsManyNats) {
 // A load that comes and goes in steps is foretold by a stem, too; it explains nothing.
 TEST(JudgeOfBothKinds, NoStemSticksBesideAValveThatExplainsNextToNothing) {
   Evidence<double> searched = rung_alone();
-  searched.searched = {true, 60, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
-  for (Evidence<double> e : {rung_alone(), searched, stem_alone()}) {
+  searched.ladder.nats = 46;
+  searched.searched = {true, 46, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  Evidence<double> fitted = stem_alone();
+  fitted.stem_nats = 46;
+  for (Evidence<double> e : {searched, fitted}) {
     e.fit_percent = 15.1;
     EXPECT_EQ(verdict_of(judge(e, true)), Verdict::kStiction);
     e.fit_percent = 15;
+    expect(judge(e, true), Reason::kEvidenceTooWeak);
+  }
+  // Unless it foretells so much that nothing else is left.
+  for (Evidence<double> e : {rung_alone(), searched, stem_alone()}) {
+    e.fit_percent = 1;
+    e.searched.nats *= 1.01;
+    EXPECT_EQ(verdict_of(judge(e, true)), Verdict::kStiction);
+    e.cycle.nats = 20;
     expect(judge(e, true), Reason::kEvidenceTooWeak);
   }
 }
@@ -235,7 +246,8 @@ TEST(JudgeOfBothKinds, NoStemSticksBesideAValveThatExplainsNextToNothing) {
 // Wider than half the swing it may, if it moves y at all.
 TEST(JudgeOfBothKinds, AWideStemSticksBesideAValveThatExplainsLittle) {
   Evidence<double> e = rung_alone();
-  e.searched = {true, 60, 20, {{true, 0.51, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  e.ladder.nats = 40;
+  e.searched = {true, 40, 20, {{true, 0.51, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
   e.fit_percent = 6.1;
   expect(judge(e, true), Reason::kSticksUnderLoad);
   e.fit_percent = 6;
