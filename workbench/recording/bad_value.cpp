@@ -38,7 +38,8 @@ constexpr std::array kWords = {"null"sv,        "<null>"sv,      "none"sv,
                                "gest\xF6rt"sv,  "gestoert"sv,    "na"sv,
                                "nd"sv,          "n.d."sv,        "n/d"sv,
                                "n.c."sv,        "s/d"sv,         "\\n"sv,
-                               "<na>"sv,        "<gated>"sv,     "(null)"sv};
+                               "<na>"sv,        "<gated>"sv,     "(null)"sv,
+                               "@@@@"sv};
 
 constexpr std::array kBeginnings = {
     "bad"sv,           "no data"sv,       "no good"sv,    "no result"sv,   "no value"sv,

@@ -165,6 +165,18 @@ class ColumnChooser {
   }
 
   [[noreturn]] void refuse_without_time() const {
+    const auto unread =
+        std::find_if(columns_.begin(), columns_.end(), [](const LayoutColumn& column) {
+          return column.name.part == Part::kTime && !column.first.empty() &&
+                 column.content != Content::kNumber && !is_time(column.content);
+        });
+    if (unread != columns_.end()) {
+      throw InputError(file_, layout_.header_line, unread->column,
+                       "times in column " + quoted(unread->name.text),
+                       quoted(unread->first),
+                       "write times in seconds or as 2026-05-03 14:30:00, or give --ts "
+                       "SECONDS, the time from one row to the next");
+    }
     const std::optional<std::size_t> time = counter_of(layout_);
     throw InputError(file_, layout_.header_line, 1, with_aliases(Column::t),
                      "the columns " + list_of(candidates_),

@@ -60,9 +60,9 @@ bool is_temperature(std::string_view piece) {
 
 // Pieces behind the name that only say "the value of it".
 constexpr std::array kValueWords = {
-    "value"sv,        "val"sv,     "cv"sv,      "valuey"sv,     "wert"sv,
-    "avg"sv,          "average"sv, "mean"sv,    "mittelwert"sv, "readvalue"sv,
-    "presentvalue"sv, "fcv"sv,     "current"sv, "raw"sv,        "interpolated"sv};
+    "value"sv,   "val"sv,  "cv"sv,           "valuey"sv,        "wert"sv,         "avg"sv,
+    "average"sv, "mean"sv, "mittelwert"sv,   "readvalue"sv,     "presentvalue"sv, "fcv"sv,
+    "current"sv, "raw"sv,  "interpolated"sv, "interpolation"sv, "trend"sv};
 
 constexpr std::array kUnits = {
     "%"sv,       "s"sv,           "sec"sv,    "ms"sv,     "min"sv,     "h"sv,

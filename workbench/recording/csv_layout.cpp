@@ -312,6 +312,7 @@ class LayoutFinder {
     const std::size_t first_row = best->first_row();
     std::size_t header = first_row;
     std::size_t merit = 0;
+    bool named = false;
     const std::size_t highest = first_row > kHeaderLines ? first_row - kHeaderLines : 0;
     for (std::size_t i = first_row; i-- > highest;) {
       const std::vector<LineCell>& cells = best->cells(i);
@@ -319,10 +320,13 @@ class LayoutFinder {
       const std::size_t filled = cells.size() - static_cast<std::size_t>(empty);
       if (!best->is_text(i) || filled < (best->width() > 2 ? 2U : 1U)) continue;
       if (cells.size() + 1 < best->width() && i + 1 < first_row) continue;
+      // The channels of a preamble, above names that fill the columns.
+      if (cells.size() > best->width() && named) continue;
       const std::size_t of_line = header_merit(cells, wish_);
       if (of_line > merit || (of_line == merit && header == first_row)) {
         merit = of_line;
         header = i;
+        named = cells.size() == best->width() && of_line > 1 + filled;
       }
     }
     if (header + 1 < first_row &&

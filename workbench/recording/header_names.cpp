@@ -19,8 +19,11 @@ bool names_next(const LineTable& table, const std::vector<LineCell>& cells,
 
 // FIC101.OP,,FIC101.PV,: names over the times of values that have their own, as PI
 // DataLink puts them, moved to the values.
-void move_from_times(const LineTable& table, std::vector<LineCell>& names) {
-  if (names.size() != table.width()) return;
+void move_from_times(const LineTable& table, std::vector<LineCell>& given) {
+  std::vector<LineCell> names = given;
+  const bool cut = names.size() + 1 == table.width() && table.even();
+  if (names.size() != table.width() && !cut) return;
+  if (cut) names.push_back({"", names.back().column});
   std::vector<std::size_t> times;
   for (std::size_t c = 0; c + 1 < names.size(); ++c) {
     const bool once = table.content(c) == Content::kNothing &&
@@ -38,6 +41,7 @@ void move_from_times(const LineTable& table, std::vector<LineCell>& names) {
     names[c + 1] = names[c];
     names[c].text = "Time";
   }
+  given = std::move(names);
 }
 
 }  // namespace
@@ -59,9 +63,12 @@ std::vector<LineCell> names_of(const LineTable& table, std::size_t header) {
   while (spread.size() < width && taken < names.size()) {
     const std::size_t c = spread.size();
     spread.push_back(names[taken++]);
-    over_times = over_times || (column_name(spread.back().text).part == Part::kTime &&
+    const Part part = column_name(spread.back().text).part;
+    over_times = over_times || ((part == Part::kTime || part == Part::kTag) &&
                                 is_time(table.content(c)));
-    const bool cut = blanks && table.content(c) == Content::kDate &&
+    const bool unnamed = taken < names.size() && names.size() + 1 == width &&
+                         column_name(names[taken].text).part != Part::kTime;
+    const bool cut = (blanks || unnamed) && table.content(c) == Content::kDate &&
                      table.content(c + 1) == Content::kClock;
     if (cut) spread.push_back({"", spread.back().column});
   }

@@ -16,8 +16,9 @@ namespace {
 using namespace std::string_view_literals;
 
 // Names of columns that hold numbers in place of tags.
-constexpr std::array kNumbersOfTags = {"tagid"sv,   "tagindex"sv, "tagno"sv, "itemid"sv,
-                                       "pointid"sv, "sensorid"sv, "nodeid"sv};
+constexpr std::array kNumbersOfTags = {"tagid"sv,  "tagindex"sv, "tagno"sv,
+                                       "itemid"sv, "pointid"sv,  "sensorid"sv,
+                                       "nodeid"sv, "valueid"sv};
 
 // Where a table has a column for values of each type.
 constexpr std::array kFractions = {"floatvalue"sv, "doublevalue"sv};

@@ -36,7 +36,10 @@ class Chooser {
  public:
   Chooser(const std::vector<NamedSignal>& candidates, const ColumnNames& names,
           const std::vector<Column>& required, const ChoiceContext& context)
-      : candidates_(candidates), names_(names), required_(required), context_(context) {}
+      : candidates_(with_block_inputs(candidates)),
+        names_(names),
+        required_(required),
+        context_(context) {}
 
   std::vector<PickedSignal> choose() {
     for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
@@ -186,6 +189,7 @@ class Chooser {
       std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(best),
                    [this](std::size_t i) { return is_first_rank(candidates_[i].name); });
       if (best.empty()) best = found->second;
+      if (best.size() > 1) leave_out_extremes(best);
       if (best.size() > 1) prefer_plain(best);
       if (best.size() == 1) {
         picked_[static_cast<std::size_t>(column)] = best[0];
@@ -193,6 +197,14 @@ class Chooser {
         refuse_twice(column, best);
       }
     }
+  }
+
+  // PV (Min) and PV (Max), where another one is left.
+  void leave_out_extremes(Indices& best) const {
+    Indices others;
+    std::copy_if(best.begin(), best.end(), std::back_inserter(others),
+                 [this](std::size_t i) { return !is_extreme(candidates_[i].name); });
+    if (!others.empty()) best = std::move(others);
   }
 
   // PV before PV_raw and PV.Value: the name without a word for how it is a value.
@@ -331,7 +343,7 @@ class Chooser {
            "name the " + std::string(context_.candidates) + ", for example" + options);
   }
 
-  const std::vector<NamedSignal>& candidates_;
+  const std::vector<NamedSignal> candidates_;
   const ColumnNames& names_;
   const std::vector<Column>& required_;
   const ChoiceContext& context_;

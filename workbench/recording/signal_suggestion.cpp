@@ -54,8 +54,9 @@ class Suggester {
   // nothing.
   [[nodiscard]] Indices suggestions(const std::vector<Column>& wanted) const {
     Indices out(wanted.size(), candidates_.size());
-    if (mv_is_open()) return out;
+    if (mv_is_open() || input_is_open()) return out;
     take_din_letters(wanted, out);
+    take_positioner(wanted, out);
     for (const bool nameless_too : {false, true}) {
       const auto open = std::count(out.begin(), out.end(), candidates_.size());
       if (nameless_too && nameless() != static_cast<std::size_t>(open)) break;
@@ -86,6 +87,29 @@ class Suggester {
     }
   }
 
+  // The test of a positioner: a position beside what it is asked for, without a loop.
+  void take_positioner(const std::vector<Column>& wanted, Indices& out) const {
+    if (has(Part::kU) || has(Part::kY) || has(Part::kMv) || !has(Part::kX)) return;
+    const auto first = [this](auto fits) {
+      std::size_t i = 0;
+      while (i < candidates_.size() &&
+             !(candidates_[i].measured && !taken_[i] && fits(candidates_[i].name))) {
+        ++i;
+      }
+      return i;
+    };
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i] == Column::y) {
+        out[i] = first([](const ColumnName& name) { return name.part == Part::kX; });
+      } else if (wanted[i] == Column::u) {
+        out[i] = first([](const ColumnName& name) {
+          return name.part == Part::kSp || name.key == "w" ||
+                 name.key.starts_with("input");
+        });
+      }
+    }
+  }
+
   [[nodiscard]] bool may_be_meant(std::size_t i) const {
     const NamedSignal& candidate = candidates_[i];
     const ColumnName& name = candidate.name;
@@ -107,11 +131,21 @@ class Suggester {
 
   // MV and CV without a PV: manipulated and controlled, or measured and control value.
   [[nodiscard]] bool mv_is_open() const {
-    const auto has = [this](Part part) {
-      return std::any_of(candidates_.begin(), candidates_.end(),
-                         [part](const NamedSignal& c) { return c.name.part == part; });
-    };
     return has(Part::kMv) && has(Part::kU) && !has(Part::kY);
+  }
+
+  // Input and Output, of the process or of its controller.
+  [[nodiscard]] bool input_is_open() const {
+    const auto named = [this](std::string_view key) {
+      return std::any_of(candidates_.begin(), candidates_.end(),
+                         [key](const NamedSignal& c) { return c.name.key == key; });
+    };
+    return named("input") && named("output") && !has(Part::kY);
+  }
+
+  [[nodiscard]] bool has(Part part) const {
+    return std::any_of(candidates_.begin(), candidates_.end(),
+                       [part](const NamedSignal& c) { return c.name.part == part; });
   }
 
   // None: the number of columns.
@@ -225,6 +259,40 @@ Part part_of(Column column) {
 bool is_only_cv(const std::vector<NamedSignal>& candidates, const Indices& of) {
   return of.size() == 1 && !candidates[of[0]].name.pieces.empty() &&
          candidates[of[0]].name.pieces.back() == "cv";
+}
+
+std::vector<NamedSignal> with_block_inputs(std::vector<NamedSignal> candidates) {
+  const auto has = [&candidates](Part part, const std::string& tag) {
+    return std::any_of(candidates.begin(), candidates.end(), [&](const NamedSignal& c) {
+      return c.name.part == part && c.name.tag == tag;
+    });
+  };
+  for (NamedSignal& candidate : candidates) {
+    ColumnName& name = candidate.name;
+    if (name.part != Part::kNone || name.pieces.empty() ||
+        name.pieces.back() != "input") {
+      continue;
+    }
+    const std::string tag =
+        name.key.substr(0, name.key.size() - name.pieces.back().size());
+    const bool output = std::any_of(
+        candidates.begin(), candidates.end(),
+        [&tag](const NamedSignal& c) { return c.name.key == tag + "output"; });
+    if (!output || !has(Part::kSp, tag) || has(Part::kY, tag)) continue;
+    name.part = Part::kY;
+    name.tag = tag;
+  }
+  return candidates;
+}
+
+bool is_extreme(const ColumnName& name) {
+  constexpr std::array kExtremes = {"min"sv,    "max"sv, "minimum"sv, "maximum"sv,
+                                    "stddev"sv, "std"sv, "range"sv,   "count"sv};
+  const std::size_t end = name.text.find_last_not_of(" )]}") + 1;
+  const std::size_t begin = name.text.find_last_of(" ([{|._-:/", end - 1) + 1;
+  const std::string last =
+      lower_case(std::string_view(name.text).substr(begin, end - begin));
+  return std::find(kExtremes.begin(), kExtremes.end(), last) != kExtremes.end();
 }
 
 std::vector<std::size_t> suggested_signals(const std::vector<NamedSignal>& candidates,

@@ -18,9 +18,18 @@ namespace workbench {
 [[nodiscard]] bool is_only_cv(const std::vector<NamedSignal>& candidates,
                               const std::vector<std::size_t>& of);
 
+/// The candidates, an Input beside Output and a setpoint of one block as its measured
+/// value: a controller's. Beside a PV, or without a setpoint, it stays open.
+[[nodiscard]] std::vector<NamedSignal> with_block_inputs(
+    std::vector<NamedSignal> candidates);
+
+/// Whether the last word of the name is of an extreme or a spread: Min, Max, StdDev, ...
+[[nodiscard]] bool is_extreme(const ColumnName& name);
+
 /// For each of `wanted` a candidate whose name says so or hints at it, or, where as many
-/// are left as are wanted, one whose name says nothing; candidates.size(): none. Good for
-/// an example, no more. `taken`: as long as `candidates`, those that are something else.
+/// are left as are wanted, one whose name says nothing; of the test of a positioner its
+/// position as y; candidates.size(): none. Good for an example, no more. `taken`: as long
+/// as `candidates`, those that are something else.
 [[nodiscard]] std::vector<std::size_t> suggested_signals(
     const std::vector<NamedSignal>& candidates, const std::vector<bool>& taken,
     const std::vector<Column>& wanted);

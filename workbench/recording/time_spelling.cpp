@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
@@ -122,6 +127,69 @@ void mark_clock(std::string& text) {
   text[dot] = ':';
 }
 
+// 1h2m3s400ms and 1h 2m 3.5s from the largest unit to the least, as 1:02:03.400000.
+std::optional<std::string> clock_of_units(std::string_view text, std::size_t fewest) {
+  constexpr auto kUnits =
+      std::to_array<std::pair<std::string_view, double>>({{"d", 86400},
+                                                          {"h", 3600},
+                                                          {"ms", 1e-3},
+                                                          {"us", 1e-6},
+                                                          {"ns", 1e-9},
+                                                          {"m", 60},
+                                                          {"s", 1}});
+  double seconds = 0;
+  double before = std::numeric_limits<double>::infinity();
+  std::size_t units = 0;
+  while (!text.empty()) {
+    double count = 0;
+    const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(),
+                                                count, std::chars_format::fixed);
+    if (status != std::errc{} || !is_digit(text[0])) return std::nullopt;
+    text = trimmed(text.substr(static_cast<std::size_t>(stop - text.data())));
+    const auto* const unit =
+        std::find_if(kUnits.begin(), kUnits.end(),
+                     [text](const auto& u) { return text.starts_with(u.first); });
+    if (unit == kUnits.end() || unit->second >= before) return std::nullopt;
+    seconds += count * unit->second;
+    before = unit->second;
+    ++units;
+    text = text.substr(unit->first.size());
+    while (!text.empty() && (text[0] == ' ' || text[0] == '_')) text.remove_prefix(1);
+  }
+  constexpr double kLongestS = 3.6e6;
+  if (units < fewest || seconds >= kLongestS) return std::nullopt;
+  const auto micros = static_cast<std::int64_t>(std::llround(seconds * 1e6));
+  constexpr std::int64_t kSecond = 1'000'000;
+  std::array<char, 32> out{};
+  std::snprintf(out.data(), out.size(), "%d:%02d:%02d.%06d",
+                static_cast<int>(micros / (3600 * kSecond)),
+                static_cast<int>(micros / (60 * kSecond) % 60),
+                static_cast<int>(micros / kSecond % 60),
+                static_cast<int>(micros % kSecond));
+  return out.data();
+}
+
+// Literals of IEC 61131-3: T#1h2m3s, TOD#14:30:00, DT#2026-05-13-14:30:00, D#2026-05-13.
+std::optional<std::string> literal(std::string_view cell) {
+  const std::size_t mark = cell.find('#');
+  if (mark == std::string_view::npos) {
+    const bool may_be = cell.size() >= 4 && is_digit(cell[0]) &&
+                        (cell.back() == 's' || cell.back() == 'm');
+    return may_be ? clock_of_units(cell, 2) : std::nullopt;
+  }
+  std::string kind = lower_case(cell.substr(0, mark));
+  if (kind.starts_with('l')) kind.erase(0, 1);
+  std::string rest = lower_case(cell.substr(mark + 1));
+  if (kind == "t" || kind == "time") return clock_of_units(rest, 1);
+  if (kind == "tod" || kind == "time_of_day" || kind == "d" || kind == "date")
+    return rest;
+  constexpr std::size_t kDate = 10;  // characters
+  if ((kind != "dt" && kind != "date_and_time") || rest.size() < kDate + 1)
+    return std::nullopt;
+  if (rest[kDate] == '-') rest[kDate] = ' ';
+  return rest;
+}
+
 }  // namespace
 
 std::optional<std::string> dotted_clock(std::string_view cell) {
@@ -142,8 +210,10 @@ std::optional<std::string> dotted_clock(std::string_view cell) {
 
 std::optional<std::string> plain_time(std::string_view cell) {
   constexpr std::size_t kLongest = 64;
-  const bool may_be = cell.size() >= 6 && cell.size() <= kLongest &&
-                      std::count_if(cell.begin(), cell.end(), is_digit) >= 3;
+  if (cell.size() > kLongest) return std::nullopt;
+  if (auto known = literal(cell)) return known;
+  const bool may_be =
+      cell.size() >= 6 && std::count_if(cell.begin(), cell.end(), is_digit) >= 3;
   if (!may_be) return std::nullopt;
   std::string text(cell);
   mark_era(text);

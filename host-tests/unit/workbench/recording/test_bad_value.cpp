@@ -40,6 +40,7 @@ TEST(BadValue, OtherWordsMayStandAmongNumbers) {
     EXPECT_FALSE(reads_as_word(cell)) << cell;
   }
   EXPECT_TRUE(says_no_value("#####", false));
+  EXPECT_TRUE(says_no_value("@@@@", false));
 }
 
 TEST(BadValue, BeyondWhatIsMeasured) {

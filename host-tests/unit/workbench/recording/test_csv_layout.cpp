@@ -135,6 +135,24 @@ TEST(CsvLayout, WithoutNamesColumnsHaveNumbers) {
   EXPECT_THROW(static_cast<void>(layout("\n\n")), InputError);
 }
 
+TEST(CsvLayout, NamesThatFillTheColumnsAreBelowThoseOfAPreamble) {
+  std::string text =
+      "Channel\tType\tUnit\tName\nOP\tDBL\t%\tOP\nPV\tDBL\tbar\tPV\n\n"
+      "OP\tPV\n";
+  for (int i = 10; i < 30; ++i) text += "4.5" + std::to_string(i) + "\t6.1\n";
+  EXPECT_EQ(names_of(layout(text)), "OP[] PV[]");
+}
+
+TEST(ColumnChoice, TimesThatCannotBeReadAreTold) {
+  try {
+    choice("Time,A.OP,A.PV\n#####,4.1,6.1\n#####,4.2,6.2\n#####,4.4,6.1\n");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.expected, "times in column 'Time'");
+    EXPECT_EQ(error.found, "'#####'");
+  }
+}
+
 TEST(ColumnChoice, FindsTimesByContentAndName) {
   EXPECT_EQ(choice("id,Stamp,OP,PV\n1,2026-05-03 10:00,2,3\n2,2026-05-03 10:01,2,3\n")
                 .times[0]

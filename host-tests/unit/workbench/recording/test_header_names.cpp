@@ -23,17 +23,32 @@ TEST(HeaderNames, StandUnderThoseAbove) {
 }
 
 TEST(HeaderNames, MoveFromTimesToTheirValues) {
-  std::string text = "A.OP,,A.PV,\n";
+  for (const char* names : {"A.OP,,A.PV,\n", "A.OP,,A.PV\n"}) {
+    std::string text = names;
+    for (int i = 10; i < 40; ++i) {
+      const std::string time = "2026-05-13 06:00:" + std::to_string(i);
+      text +=
+          time + ",4" + std::to_string(i) + ',' + time + ",6" + std::to_string(i) + '\n';
+    }
+    const std::string file = "a.csv";
+    const CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
+    ASSERT_EQ(layout.columns.size(), 4U);
+    EXPECT_EQ(layout.columns[0].name.part, Part::kTime);
+    EXPECT_EQ(layout.columns[1].name.text, "A.OP");
+    EXPECT_EQ(layout.columns[3].name.text, "A.PV");
+  }
+}
+
+TEST(HeaderNames, OneShortStandsOverDateAndClock) {
+  std::string text = "Tag;A.MV;A.PV\n";
   for (int i = 10; i < 40; ++i) {
-    const std::string time = "2026-05-13 06:00:" + std::to_string(i);
-    text +=
-        time + ",4" + std::to_string(i) + ',' + time + ",6" + std::to_string(i) + '\n';
+    text += "2026/05/13;06:00:" + std::to_string(i) + ";4" + std::to_string(i) + ";6" +
+            std::to_string(i) + '\n';
   }
   const std::string file = "a.csv";
   const CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
   ASSERT_EQ(layout.columns.size(), 4U);
-  EXPECT_EQ(layout.columns[0].name.part, Part::kTime);
-  EXPECT_EQ(layout.columns[1].name.text, "A.OP");
+  EXPECT_EQ(layout.columns[2].name.text, "A.MV");
   EXPECT_EQ(layout.columns[3].name.text, "A.PV");
 }
 

@@ -69,6 +69,26 @@ TEST_F(SignalChoice, TakesThePlainOneOfSeveralValues) {
   EXPECT_EQ(chosen(), "u=OP Avg y=PV Avg");
 }
 
+TEST_F(SignalChoice, TakesNoExtremeBesideAnotherValue) {
+  given({"A.OP (Avg)", "A.OP (Min)", "A.OP (Max)", "A.PV (Max)", "A.PV (Avg)"});
+  EXPECT_EQ(chosen(), "u=A.OP (Avg) y=A.PV (Avg)");
+  given({"OP", "OP Min", "PV", "PV StdDev"});
+  EXPECT_EQ(chosen(), "u=OP y=PV");
+  given({"A.OP Min", "A.OP Max", "A.PV"});
+  EXPECT_TRUE(has(refusal(), "one column for u")) << refusal();
+}
+
+TEST_F(SignalChoice, TheInputOfAControllersBlockIsMeasured) {
+  given({"\"DB1\".Setpoint", "\"DB1\".Input", "\"DB1\".Output"});
+  EXPECT_EQ(chosen(), "u=\"DB1\".Output y=\"DB1\".Input sp=\"DB1\".Setpoint");
+  given({"Input", "Output", "Setpoint"});
+  EXPECT_EQ(chosen(), "u=Output y=Input sp=Setpoint");
+  given({"Input", "Output"});
+  EXPECT_TRUE(has(refusal(), "--u COLUMN --y COLUMN")) << refusal();
+  given({"A.Input", "B.Output", "B.Setpoint"});
+  EXPECT_TRUE(has(refusal(), "expected a column y")) << refusal();
+}
+
 TEST_F(SignalChoice, AsksWhichOfCvAndMvIsTheOutput) {
   given({"FIC101.CV", "FIC101.SP", "FIC101.PV"});
   EXPECT_EQ(chosen(), "u=FIC101.CV y=FIC101.PV sp=FIC101.SP");

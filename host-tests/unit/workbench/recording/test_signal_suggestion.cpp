@@ -104,5 +104,26 @@ TEST(SignalSuggestion, ReferenceMeasuredValueAndOutputOfDin) {
             (std::vector<std::size_t>{2, 1}));
 }
 
+TEST(SignalSuggestion, OfAPositionerItsPosition) {
+  const auto proposed = [](const std::vector<std::string>& texts) {
+    return suggested_signals(signals(texts), std::vector<bool>(texts.size()),
+                             {Column::u, Column::y});
+  };
+  EXPECT_EQ(proposed({"Input Signal (%)", "Travel (%)", "Pressure A (bar)"}),
+            (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(proposed({"Pressure", "Valve position", "Setpoint"}),
+            (std::vector<std::size_t>{2, 1}));
+  EXPECT_EQ(proposed({"x", "w"}), (std::vector<std::size_t>{1, 0}));
+}
+
+TEST(SignalSuggestion, TheLastWordOfAnExtreme) {
+  for (const char* name : {"A.PV (Max)", "A.PV|Minimum", "PV_min", "OP [StdDev]"}) {
+    EXPECT_TRUE(is_extreme(column_name(name))) << name;
+  }
+  for (const char* name : {"A.PV", "PV Avg", "Max.PV", "", "()"}) {
+    EXPECT_FALSE(is_extreme(column_name(name))) << name;
+  }
+}
+
 }  // namespace
 }  // namespace workbench

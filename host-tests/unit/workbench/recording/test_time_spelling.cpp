@@ -53,6 +53,21 @@ TEST(TimeSpelling, OfClocksWithDots) {
   }
 }
 
+TEST(TimeSpelling, OfLiteralsOfPlcs) {
+  EXPECT_EQ(plain_time("T#1h2m3s400ms"), "1:02:03.400000");
+  EXPECT_EQ(plain_time("TIME#2d1h"), "49:00:00.000000");
+  EXPECT_EQ(plain_time("LTIME#20s5us"), "0:00:20.000005");
+  EXPECT_EQ(plain_time("t#45000ms"), "0:00:45.000000");
+  EXPECT_EQ(plain_time("0h 0m 20.5s"), "0:00:20.500000");
+  EXPECT_EQ(plain_time("TOD#14:30:00.250"), "14:30:00.250");
+  EXPECT_EQ(plain_time("DT#2026-05-13-14:30:00"), "2026-05-13 14:30:00");
+  EXPECT_EQ(written_time("T#26h0m1s")->seconds, 26 * 3600 + 1);
+  for (const char* cell :
+       {"20 m", "5 s", "T#", "T#3s2m", "T#1x", "3m2", "#1", "DT#2026"}) {
+    EXPECT_FALSE(plain_time(cell)) << cell;
+  }
+}
+
 TEST(TimeSpelling, LeavesTheRest) {
   for (const char* cell :
        {"2026-03-14 08:00:00", "44.979", "Bad Input", "14.03.26", "", "1 234.567"}) {
