@@ -33,6 +33,9 @@ def exports(rows, start, missing):
     yield "hour-minute-second.csv", "HH,MM,SS,OP,PV\n" + "".join(
         f"{t.hour:02d},{t.minute:02d},{t.second:02d},{p}\n"
         for t, p in zip((t + dt.timedelta(hours=9, minutes=29, seconds=50) for t in at), pairs))
+    yield "plc-durations.csv", "Time;gPid.Setpoint;gPid.Input;gPid.Output\n" + "".join(
+        f"T#{k // 60}m{k % 60}s250ms;{sp:.2f};{y:.2f};{u:.2f}\n"
+        for k, (u, y, sp) in enumerate(rows))
     yield "home-assistant.json", json.dumps(
         [entity(tags[0], [r[0] for r in rows], start, ()),
          entity(tags[1], [r[1] for r in rows], start, missing)]) + "\n"

@@ -348,12 +348,21 @@ class LayoutFinder {
         put_names_above(above, best->cells(header), out_.columns);
       }
     }
-    for (std::size_t i = highest; i < first_row; ++i) {
-      const std::vector<LineCell>& cells = best->cells(i);
-      const bool remark = cells[0].text.starts_with('#');
-      if (i != header && !remark && is_unit_row(cells)) take_units(cells, out_);
-    }
+    take_unit_rows(*best, header, highest);
     set_rows(*best, header, first_row);
+  }
+
+  void take_unit_rows(const LineTable& table, std::size_t header, std::size_t highest) {
+    // Names that were spread over a date and its clock, and units with them.
+    const std::size_t short_one = out_.columns.size() - 1;
+    const bool spread = table.cells(header).size() == short_one;
+    for (std::size_t i = highest; i < table.first_row(); ++i) {
+      std::vector<LineCell> cells = table.cells(i);
+      const bool remark = cells[0].text.starts_with('#');
+      if (i == header || remark || !is_unit_row(cells)) continue;
+      if (spread && cells.size() == short_one) cells.insert(cells.begin() + 1, {"", 1});
+      take_units(cells, out_);
+    }
   }
 
   [[nodiscard]] static std::size_t first_line_merit(const LineTable& table) {

@@ -153,6 +153,7 @@ std::vector<Export> exports() {
       {"datevec.csv", day + ".250"},
       {"date-hour-minute-second.csv", day},
       {"hour-minute-second.csv", "", false, false, "passes midnight 1 time"},
+      {"plc-durations.csv", "", true},
       {"home-assistant.json", day + "Z", false, true, "'unavailable'"},
       {"home-assistant-socket.json", day + ".250Z", false, true, "'unknown'"},
       {"outer-join.csv", "", false, false, "times of their own"},

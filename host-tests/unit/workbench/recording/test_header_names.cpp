@@ -40,7 +40,7 @@ TEST(HeaderNames, MoveFromTimesToTheirValues) {
 }
 
 TEST(HeaderNames, OneShortStandsOverDateAndClock) {
-  std::string text = "Tag;A.MV;A.PV\n";
+  std::string text = "Tag;A.MV;A.PV\nUnit;%;bar\n";
   for (int i = 10; i < 40; ++i) {
     text += "2026/05/13;06:00:" + std::to_string(i) + ";4" + std::to_string(i) + ";6" +
             std::to_string(i) + '\n';
@@ -49,6 +49,8 @@ TEST(HeaderNames, OneShortStandsOverDateAndClock) {
   const CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
   ASSERT_EQ(layout.columns.size(), 4U);
   EXPECT_EQ(layout.columns[2].name.text, "A.MV");
+  EXPECT_EQ(layout.columns[2].name.unit, "%");
+  EXPECT_EQ(layout.columns[3].name.unit, "bar");
   EXPECT_EQ(layout.columns[3].name.text, "A.PV");
 }
 
