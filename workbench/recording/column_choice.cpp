@@ -174,8 +174,8 @@ class ColumnChooser {
       throw InputError(file_, layout_.header_line, unread->column,
                        "times in column " + quoted(unread->name.text),
                        quoted(unread->first),
-                       "write times in seconds or as 2026-05-03 14:30:00, or give --ts "
-                       "SECONDS, the time from one row to the next");
+                       "write all times alike, in seconds or as 2026-05-03 14:30:00, or "
+                       "give --ts SECONDS");
     }
     const std::optional<std::size_t> time = counter_of(layout_);
     throw InputError(file_, layout_.header_line, 1, with_aliases(Column::t),

@@ -5,6 +5,7 @@ export default {
   'a header row with the names of the columns': 'eine Kopfzeile mit den Namen der Spalten',
   'at least {0} samples': 'mindestens {0} Werte',
   'a number in column {0}': 'eine Zahl in Spalte {0}',
+  'times in column {0}': 'Zeiten in Spalte {0}',
   'a finite number {0}': 'eine endliche Zahl {0}',
   'a number with one meaning {0}': 'eine Zahl mit einer Bedeutung {0}',
   '{0}, with a decimal or a thousands comma': '{0}, mit einem Dezimal- oder Tausenderkomma',
