@@ -66,8 +66,10 @@ Reason doubt_compressed(Reason found, const Evidence<Real>& e,
   const bool healthy = verdict == Verdict::kNoStiction;
   const bool far = health.points_apart > Real(kFarApart);
   const bool agreed = e.stem_weighed && exact(e.stem_nats) > Threshold(kAloneNats);
+  const bool turns =
+      e.reversals >= kEnoughTurns && (!kStemSearch || e.stem_strokes >= kFewestStrokes);
   const bool free_running =
-      better_running_free(e) && (agreed || exact(e.error_ratio) > kUnconfirmed);
+      turns && better_running_free(e) && (agreed || exact(e.error_ratio) > kUnconfirmed);
   const bool foretells = kStemSearch && searched_stem_sticks(e) &&
                          exact(beyond_rivals(e, e.searched.nats)) > Threshold(kAloneNats);
   const bool doubtful = healthy ? far : decided && !free_running && !foretells;

@@ -13,7 +13,8 @@ namespace ident {
 /// between them, so "no stiction" is left open. And a line leads to a point that was
 /// stored later: closed-loop evidence, which asks what the past foretells, is none by
 /// itself then: a valve that is not better running free, too, by much or beside much of
-/// it, is left open.
+/// it, and in more than a few turns, is left open, but for a stem that outdoes its rivals
+/// by as much as one on its own has to have.
 template <class Real>
 [[nodiscard]] Reason doubt_compressed(Reason found, const Evidence<Real>& evidence,
                                       const RecordHealth<Real>& health);

@@ -31,8 +31,6 @@ constexpr Threshold kNegligible = Threshold(1.1);
 constexpr Threshold kLeastBand = Threshold(0.05);
 // The gain must come from nearly every cycle, not from a lucky few.
 constexpr Threshold kConsistent = Threshold(2.3);
-// Turning points of u in which most cycles may be better by chance.
-constexpr int kEnoughTurns = 6;
 // A slip jump below this share of the stick band is play, not stiction.
 constexpr Threshold kLeastSlip = Threshold(0.08);
 // A time constant below this share of the period is self-regulating; a loop whose band

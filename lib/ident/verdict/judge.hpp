@@ -7,6 +7,8 @@ namespace ident {
 
 /// Turning points of u in five cycles: with fewer, chance has too much of a say.
 inline constexpr int kFiveCycles = 10;
+/// Turning points of u below which most cycles may be better by chance.
+inline constexpr int kEnoughTurns = 6;
 
 /// Closed-loop evidence that needs nothing beside it where its rivals were not weighed,
 /// nats: 40, and 6 more because a stem that speaks is the best of some four hundred.

@@ -43,7 +43,15 @@ TEST(Doubts, AsksOfLinesBetweenStoredPointsThatTheValveConvincesRunningFree) {
   health.compressed = true;
   health.points_apart = 2;
   Evidence<double> e = sticking();
+  e.stem_strokes = 8;
+  e.reversals = 6;
   EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kStiction);
+  e.reversals = 5;
+  EXPECT_EQ(doubt_compressed(sticks, e, health), Reason::kCompressed);
+  e.reversals = 6;
+  e.stem_strokes = 7;
+  EXPECT_EQ(doubt_compressed(sticks, e, health), Reason::kCompressed);
+  e.stem_strokes = 8;
   e.error_ratio = 1.51;
   EXPECT_EQ(verdict_of(doubt_compressed(sticks, e, health)), Verdict::kStiction);
   e.error_ratio = 1.49;
