@@ -1,14 +1,16 @@
-// How often a load that comes back at its own time is taken for a sticking valve.
+// How often a load that comes back at its own time, or at any time, is taken for a
+// sticking valve.
 //
-//   score_clocked [LOOPS=600]
+//   score_clocked [LOOPS=600] [SWITCHED=300]
 //
 // Draws loops whose valve follows, under loads that repeat: steps, ramps, saw teeth and
 // other shapes, before or behind the process, with an exact clock or one whose periods
 // vary by 2 or 5 %, as pumps between two level switches, batches and neighbours that hunt
 // have. Half of them are recorded whenever the controller acts, a quarter each at every
 // second and every third of its samples: what u and y did in between is lost, which makes
-// fewer of them look like a valve. Identifies each and prints Markdown tables of the
-// verdicts. Nothing was chosen on these loops.
+// fewer of them look like a valve. SWITCHED more loops have loads that are on or off for
+// times of any length, as a feed or a consumer. Identifies each and prints Markdown
+// tables of the verdicts. Nothing was chosen on these loops.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +30,10 @@ using workbench::Recording;
 
 constexpr std::array kShapes = {"steps", "unequal steps", "four levels", "ramps",
                                 "saw",   "trapezes",      "lags",        "waves"};
+constexpr std::size_t kUnequalSteps = 1;
 constexpr std::array kJitters = {0.0, 0.02, 0.05};
+
+enum class Times { kItsOwn, kAny };
 
 class Draw {
  public:
@@ -86,10 +91,10 @@ struct Loop {
   std::size_t every = 1;  // of how many samples of the controller one is recorded
 };
 
-Loop loop_of(std::uint64_t seed) {
+Loop loop_of(std::uint64_t seed, Times times) {
   Draw draw(seed);
   Loop out;
-  out.shape = seed % kShapes.size();
+  out.shape = times == Times::kAny ? kUnequalSteps : seed % kShapes.size();
   out.jitter = kJitters[seed / kShapes.size() % kJitters.size()];
   const auto samples = static_cast<std::size_t>(draw.uniform(700, 2200));
   const double lag = draw.log_uniform(3, 60);
@@ -106,7 +111,7 @@ Loop loop_of(std::uint64_t seed) {
   const double size = draw.one_of(std::array{2.0, 5.0, 10.0});
   const double noise = size * draw.one_of(std::array{0.0, 0.01, 0.03, 0.1});
   const bool before = draw.uniform(0, 1) < 0.5;
-  const double duty = draw.uniform(0.25, 0.75);
+  double duty = draw.uniform(0.25, 0.75);
   const auto every = draw.one_of(std::array<std::size_t, 4>{1, 1, 2, 3});
   out.every = every;
   out.recording.name = "loop.csv";
@@ -123,6 +128,10 @@ Loop loop_of(std::uint64_t seed) {
     if (phase >= 1) {
       phase -= 1;
       length = period * std::max(0.2, 1 + out.jitter * draw.normal());
+      if (times == Times::kAny) {
+        length = period * draw.uniform(0.5, 3);
+        duty = draw.uniform(0.2, 0.8);
+      }
     }
     const double load = size * load_at(out.shape, phase, duty);
     const double valve = pipe[k % pipe.size()] + (before ? load / gain : 0);
@@ -152,6 +161,10 @@ struct Row {
   }
 };
 
+std::string recorded(const Loop& loop) {
+  return "1 in " + std::to_string(loop.every);
+}
+
 void tell(const char* title, const std::map<std::string, Row>& rows) {
   std::printf(
       "| %s | n | stiction or backlash | %% | no stiction | undecided |\n"
@@ -174,26 +187,39 @@ void tell(const char* title, const std::map<std::string, Row>& rows) {
 
 int main(int argc, char** argv) {
   const int loops = argc > 1 ? std::atoi(argv[1]) : 600;
-  if (loops < 1) {
-    std::fprintf(stderr, "score_clocked: expected a number of loops, 1 or more\n");
+  const int switched = argc > 2 ? std::atoi(argv[2]) : 300;
+  if (loops < 1 || switched < 1) {
+    std::fprintf(stderr, "score_clocked: expected numbers of loops, 1 or more\n");
     return 2;
   }
   std::map<std::string, Row> by_shape;
   std::map<std::string, Row> by_jitter;
   std::map<std::string, Row> by_every;
+  const auto verdict_on = [](const Loop& loop) {
+    return workbench::Analysis(loop.recording).result().verdict;
+  };
   for (int seed = 1; seed <= loops; ++seed) {
-    const Loop loop = loop_of(static_cast<std::uint64_t>(seed));
-    const Verdict verdict = workbench::Analysis(loop.recording).result().verdict;
+    const Loop loop = loop_of(static_cast<std::uint64_t>(seed), Times::kItsOwn);
+    const Verdict verdict = verdict_on(loop);
     by_shape[kShapes[loop.shape]].add(verdict);
     char jitter[32];
     std::snprintf(jitter, sizeof jitter, "%.0f %%", 100 * loop.jitter);
     by_jitter[jitter].add(verdict);
     by_jitter["all"].add(verdict);
-    by_every["1 in " + std::to_string(loop.every)].add(verdict);
+    by_every[recorded(loop)].add(verdict);
+  }
+  std::map<std::string, Row> by_any;
+  for (int seed = 1; seed <= switched; ++seed) {
+    const Loop loop = loop_of(static_cast<std::uint64_t>(seed), Times::kAny);
+    const Verdict verdict = verdict_on(loop);
+    by_any[recorded(loop)].add(verdict);
+    by_any["all"].add(verdict);
   }
   std::printf(
       "Loops whose valve follows, under a load that comes back at its own time\n\n");
   tell("shape of the load", by_shape);
   tell("its periods vary by", by_jitter);
   tell("samples of the controller that are recorded", by_every);
+  std::printf("Loops whose valve follows, under a load that is switched at any time\n\n");
+  tell("samples of the controller that are recorded", by_any);
 }
