@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -90,7 +91,8 @@ Scaled<Real> scale(const test::Window& w) {
 template <class Real>
 class Search {
  public:
-  explicit Search(const Scaled<Real>& s, int budget = 1 << 20)
+  explicit Search(const Scaled<Real>& s, int budget = 1 << 20,
+                  const EarlierValve* earlier = nullptr, bool doubted = false)
       : positions_(s.y.size()), scratch_(s.y.size()) {
     SearchWindow<Real> window;
     window.u = s.u;
@@ -100,13 +102,31 @@ class Search {
     window.swing = static_cast<Real>(s.swing);
     window.warm_up = s.warm_up;
     window.drift = false;
-    search_.start(window, positions_, scratch_, *stems_);
+    search_.start(window, positions_, scratch_, *stems_, earlier,
+                  static_cast<Real>(s.range), doubted);
     while (!search_.step(budget)) {
       ++slices;
     }
   }
   [[nodiscard]] const ValveModel<Real>& best(ValveForm form) const {
     return search_.best(form);
+  }
+  // The best of all forms.
+  [[nodiscard]] const ValveModel<Real>& found() const {
+    const ValveModel<Real>* found = &best(ValveForm::kLinear);
+    for (int form = 1; form < kValveForms; ++form) {
+      const ValveModel<Real>& other = best(static_cast<ValveForm>(form));
+      found = other.known && other.fit.error < found->fit.error ? &other : found;
+    }
+    return *found;
+  }
+  [[nodiscard]] bool searched() const { return search_.searched(); }
+  // The error of a model on the whole window, its process solved.
+  [[nodiscard]] ValveModel<Real> solved(const ValveModel<Real>& model) {
+    search_.pass().use(positions_.size());
+    search_.pass().fit(model, true);
+    search_.pass().finish();
+    return search_.pass().model();
   }
   int slices = 0;
 
@@ -292,6 +312,135 @@ TEST(ValveSearch, InFloatFindsTheSameBand) {
         search.best(ValveForm::kSymmetric).friction.stick_ascending());
   };
   EXPECT_NEAR(band(in_float), band(in_double), 0.05 * band(in_double));
+}
+
+// A wave of slowly changing height through a valve and one lag, in few cycles, so that a
+// whole search takes little time.
+test::Window driven(const ValveFriction<double>& friction, std::size_t samples,
+                    double noise, std::uint64_t seed) {
+  test::Random random(seed);
+  test::Window w;
+  StickSlipValve<double> valve(friction, 50);
+  double state = 50;
+  for (std::size_t t = 0; t < samples; ++t) {
+    const double time = static_cast<double>(t);
+    const double height = 4.5 + 0.4 * std::sin(time / 77);
+    w.u.push_back(50 + height * std::sin(time * 0.157) + 0.02 * test::normal(random));
+    w.y.push_back(1.7 * state + noise * test::normal(random));
+    state += (valve.step(w.u.back()) - state) / 12;
+  }
+  return w;
+}
+
+ValveFriction<double> valve_of(SlipMotion motion) {
+  return {1.2, 3, 2, motion};
+}
+
+// The larger relative error of both stick bands of the best valve.
+double band_error(const Search<double>& search, const Scaled<double>& s) {
+  const ValveFriction<double>& found = search.found().friction;
+  const ValveFriction<double> truth = valve_of(SlipMotion::kStops);
+  return std::max(
+      std::abs(found.stick_ascending() * s.range / truth.stick_ascending() - 1),
+      std::abs(found.stick_descending() * s.range / truth.stick_descending() - 1));
+}
+
+// On five cycles without a load a valve that stops is always found.
+TEST(ValveSearch, FindsAValveThatStopsInFewCycles) {
+  constexpr std::size_t kSamples = 200;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Scaled<double> s =
+        scale<double>(driven(valve_of(SlipMotion::kStops), kSamples, 0.02, seed));
+    const Search<double> search(s);
+    EXPECT_LT(band_error(search, s), 0.07) << seed;
+    EXPECT_EQ(search.found().friction.motion, SlipMotion::kStops) << seed;
+    EXPECT_LT(search.found().fit.error, 1e-4 * kSamples) << seed;
+    // No form that it contains is better by more than a step of the polish.
+    EXPECT_LT(search.best(ValveForm::kMixed).fit.error,
+              1.1 * search.best(ValveForm::kSymmetric).fit.error)
+        << seed;
+  }
+}
+
+// One that resticks slips twice a stroke and is found in seven of twelve such windows;
+// these are among them.
+class ValveThatResticks : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(ValveThatResticks, IsFoundInFewCycles) {
+  const Scaled<double> s =
+      scale<double>(driven(valve_of(SlipMotion::kResticks), 320, 0.02, GetParam()));
+  const Search<double> search(s);
+  EXPECT_LT(band_error(search, s), 0.03);
+  EXPECT_EQ(search.found().friction.motion, SlipMotion::kResticks);
+  EXPECT_LT(search.found().fit.error, 2e-4 * 320);
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, ValveThatResticks, testing::Values(5, 7, 8, 10));
+
+// That valve as an earlier window left it.
+EarlierValve earlier_of(SlipMotion motion, float unexplained, std::uint8_t trusted) {
+  return {{1.2F, 3, 2, motion}, 12, 0, unexplained, trusted};
+}
+
+class ValveSearchFrom : public testing::TestWithParam<SlipMotion> {
+ protected:
+  Scaled<double> s = scale<double>(driven(valve_of(GetParam()), 320, 0.1, 2));
+};
+
+// A trusted valve that does as before is the answer, and no other is looked for.
+TEST_P(ValveSearchFrom, ATrustedValveLooksForNoOther) {
+  const EarlierValve earlier = earlier_of(GetParam(), 0.004F, 3);
+  const Search<double> search(s, 1 << 20, &earlier);
+  EXPECT_FALSE(search.searched());
+  EXPECT_LT(band_error(search, s), 0.05);
+  EXPECT_LT(search.found().fit.error, 0.004 * 320);
+  EXPECT_EQ(search.found().friction.motion, GetParam());
+}
+
+// One that leaves much more than it did is not.
+TEST_P(ValveSearchFrom, AValveThatDoesLessLooksForOthers) {
+  const EarlierValve better_once = earlier_of(GetParam(), 0.0008F, 3);
+  EXPECT_TRUE(Search<double>(s, 1 << 20, &better_once).searched());
+}
+
+// One that is not trusted is tried at last: it leads no search, and none ends at a worse
+// valve.
+TEST_P(ValveSearchFrom, AValveThatIsNotTrustedIsTriedAtLast) {
+  const EarlierValve earlier = earlier_of(GetParam(), 0.004F, 0);
+  const Search<double> with(s, 1 << 20, &earlier);
+  const Search<double> without(s);
+  EXPECT_TRUE(with.searched());
+  EXPECT_LT(band_error(with, s), 0.05);
+  EXPECT_LE(with.found().fit.error, without.found().fit.error);
+  const EarlierValve none;
+  EXPECT_EQ(Search<double>(s, 1 << 20, &none).found().fit.error,
+            without.found().fit.error);
+}
+
+// What doubts do where a valve that slides is far better than a linear one: nothing.
+TEST_P(ValveSearchFrom, DoubtsLookForAValveThatPays) {
+  const Search<double> with(s, 1 << 20, nullptr, true);
+  EXPECT_EQ(with.found().fit.error, Search<double>(s).found().fit.error);
+  EXPECT_EQ(with.found().friction.motion, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Remembering, ValveSearchFrom,
+                         testing::Values(SlipMotion::kStops, SlipMotion::kResticks));
+
+// A linear valve under a load: what is left is not white, but no valve takes a tenth of
+// it.
+TEST(ValveSearch, EndsWhereStickingIsDoubtedAndDoesNotPay) {
+  test::Window w = driven({}, 400, 0.1, 3);
+  for (std::size_t t = 0; t < w.y.size(); ++t) {
+    w.y[t] += 2 * std::sin(0.041 * static_cast<double>(t));
+  }
+  const Scaled<double> s = scale<double>(w);
+  const Search<double> doubted(s, 1, nullptr, true);
+  const Search<double> asked(s, 1);
+  EXPECT_GT(doubted.slices, 100);
+  EXPECT_LT(3 * doubted.slices, asked.slices);
+  EXPECT_EQ(doubted.best(ValveForm::kLinear).fit.error,
+            asked.best(ValveForm::kLinear).fit.error);
 }
 
 }  // namespace
