@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "ident/base/configurations.hpp"
@@ -126,6 +127,109 @@ TEST(InPlaceIdentifier, LeavesWhatItRefusesAsItWas) {
   run(*identifier, constant, y);
   EXPECT_EQ(identifier->result().reason, Reason::kConstant);
   EXPECT_EQ(constant, std::vector<double>(200, 4.0));
+}
+
+// A wave of slowly changing height through a valve and one lag, behind it a negative
+// gain.
+struct DrivenValve {
+  static constexpr double kNoise = 0.1;
+  static constexpr double kLag = 12;  // times `slower`
+  ValveFriction<double> valve;
+  std::vector<double> u, y, stem;
+
+  DrivenValve(SlipMotion motion, std::size_t samples, double slower)
+      : valve{1.2, 3, 2, motion} {
+    std::mt19937 random(2);
+    std::normal_distribution<double> normal;
+    StickSlipValve<double> moved(valve, 50);
+    double state = 50;
+    for (std::size_t t = 0; t < samples; ++t) {
+      const double time = static_cast<double>(t) / slower;
+      const double height = 4.5 + 0.4 * std::sin(time / 77);
+      u.push_back(50 + height * std::sin(time * 0.157) + 0.02 * normal(random));
+      y.push_back(200 - 1.7 * state + kNoise * normal(random));
+      stem.push_back(moved.step(u.back()));
+      state += (stem.back() - state) / (kLag * slower);
+    }
+  }
+};
+
+// Standard deviation of the difference.
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  const double n = static_cast<double>(a.size());
+  double sum = 0;
+  double square = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += (a[k] - b[k]) / n;
+    square += (a[k] - b[k]) * (a[k] - b[k]) / n;
+  }
+  return std::sqrt(square - sum * sum);
+}
+double fit_of(const std::vector<double>& simulated, const std::vector<double>& y) {
+  return 100 * (1 - apart(simulated, y) / apart(y, std::vector<double>(y.size())));
+}
+
+void expect_encloses(const Estimate<double>& found, double value, double share) {
+  EXPECT_TRUE(found.known);
+  EXPECT_NEAR(found.value, value, share * value);
+  EXPECT_LE(found.low, value);
+  EXPECT_GE(found.high, value);
+  EXPECT_LT(found.high - found.low, 0.5 * value);
+}
+
+// All that an identification says of one valve, and what the next ones make of it.
+template <std::size_t Capacity>
+void expect_tells(const DrivenValve& driven, double slower, int decimation) {
+  const auto identifier = std::make_unique<InPlaceIdentifier<double, Capacity>>();
+  EarlierValve earlier;
+  double unexplained = 0;
+  for (int trusted : {0, 8, 7}) {
+    DrivenValve window = driven;
+    const WindowOptions options{.earlier = &earlier};
+    identifier->start(window.u, window.y, {}, 0, options);
+    while (!identifier->step(1000)) {
+    }
+    const Identification<double>& found = identifier->result();
+    ASSERT_EQ(found.verdict, Verdict::kStiction);
+    EXPECT_EQ(found.decimation, decimation);
+    EXPECT_EQ(found.gain_sign, -1);
+    expect_encloses(found.stick_band.ascending, driven.valve.stick_ascending(), 0.05);
+    expect_encloses(found.stick_band.descending, driven.valve.stick_descending(), 0.05);
+    // Simulations say what the result does.
+    std::vector<double> simulated(driven.u.size());
+    identifier->stem_positions(simulated);
+    EXPECT_LT(apart(simulated, driven.stem), 0.25);
+    identifier->simulate_valve(simulated);
+    EXPECT_NEAR(apart(simulated, driven.y), driven.kNoise, 0.15 * driven.kNoise);
+    EXPECT_NEAR(fit_of(simulated, driven.y), found.fit_valve_percent, 0.2);
+    EXPECT_NEAR(found.residual_rms, apart(simulated, driven.y), 0.02 * driven.kNoise);
+    identifier->simulate_two_path(simulated);
+    EXPECT_NEAR(fit_of(simulated, driven.y), found.fit_percent, 0.2);
+    // Only a valve that was found again is trusted.
+    EXPECT_EQ(identifier->searched(), trusted != 7);
+    earlier = identifier->next_start();
+    EXPECT_EQ(earlier.trusted, trusted);
+    EXPECT_EQ(earlier.friction.motion, driven.valve.motion);
+    EXPECT_NEAR(earlier.friction.stick_ascending(), driven.valve.stick_ascending(), 0.25);
+    EXPECT_NEAR(earlier.slow, driven.kLag * slower, 0.15 * driven.kLag * slower);
+    unexplained = trusted == 0 ? earlier.unexplained : unexplained;
+    EXPECT_NEAR(earlier.unexplained, unexplained, 0.05 * unexplained);
+  }
+}
+
+TEST(InPlaceIdentifier, TellsAValveOfASmallWindow) {
+  expect_tells<kSmallWindow>(DrivenValve(SlipMotion::kResticks, 480, 1), 1, 1);
+}
+
+// Means of three samples, that no fewer than 600 are left.
+TEST(InPlaceIdentifier, TellsAValveOfASlowLoop) {
+  expect_tells<kStandardWindow>(DrivenValve(SlipMotion::kStops, 1800, 5), 5, 3);
+}
+
+// The valve is searched on the newest 2000 samples; where the stem stood before is found,
+// too.
+TEST(InPlaceIdentifier, TellsAValveOfALongWindow) {
+  expect_tells<kLargeWindow>(DrivenValve(SlipMotion::kStops, 2400, 1), 1, 1);
 }
 
 }  // namespace
