@@ -137,7 +137,7 @@ def find_reach(program, most):
             [BUILD / program, "--gtest_filter=-" + ":".join(line.split("\t")[0] for line in slow)],
             env={**os.environ, **ALWAYS, "REACHED": str(new)}, text=True, cwd=WORK,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        failing = set(re.findall(r"FAILED  \] (\S+) \(", done.stdout))
+        failing = set(re.findall(r"FAILED  \] (\S+?),? (?:\(|where)", done.stdout))
         if done.returncode not in (0, 1):
             sys.exit(f"the tests crash without a mutant:\n{done.stdout[-4000:]}")
         for name in sorted(failing):

@@ -62,5 +62,15 @@ TEST(EarlierValve, OutlivesAWindowWithoutOne) {
   EXPECT_EQ(after.trusted, trusted.trusted);
 }
 
+// The same bands of a window that found no valve say nothing.
+TEST(EarlierValve, IsTheSameOnlyIfBothAreKnown) {
+  const EarlierValve known = earlier_valve(found(), 1, 100);
+  EarlierValve unknown = known;
+  unknown.unexplained = -1;
+  EXPECT_TRUE(same_valve(known, known));
+  EXPECT_FALSE(same_valve(known, unknown));
+  EXPECT_FALSE(same_valve(unknown, known));
+}
+
 }  // namespace
 }  // namespace ident
