@@ -213,7 +213,9 @@ void expect_tells(const DrivenValve& driven, double slower, int decimation,
     EXPECT_EQ(earlier.trusted, trusted);
     EXPECT_NEAR(earlier.friction.stick_ascending(), driven.valve.stick_ascending(), 0.25);
     EXPECT_NEAR(earlier.slow, driven.kLag * slower, 0.15 * driven.kLag * slower);
-    unexplained = trusted == 0 ? earlier.unexplained : unexplained;
+    if (trusted == 0) {
+      unexplained = static_cast<double>(earlier.unexplained);
+    }
     EXPECT_NEAR(earlier.unexplained, unexplained, 0.05 * unexplained);
   }
 }
