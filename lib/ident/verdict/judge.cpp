@@ -66,6 +66,10 @@ constexpr Threshold kMoreCycles = Threshold(0.66);
 constexpr Threshold kWellExplained = Threshold(80);
 // The same band, seen in two ways, within this factor.
 constexpr Threshold kSameBand = Threshold(1.5);
+// A stem whose band is narrower than this share of the swing leaves out the noise that
+// the controller passes on to u, and with it foretells a load that comes in steps: it is
+// believed where a valve that was fitted running free has the same band.
+constexpr Threshold kLeavesNoiseOut = Threshold(0.35);
 // A band that would show only above this share of the usual swing may hide one that
 // matters.
 constexpr Threshold kHidden = Threshold(0.35);
@@ -93,13 +97,18 @@ bool convinces(const Evidence<Real>& e) {
   return steadily_better(e) && exact(e.error_ratio) > kLarge;
 }
 
+// Whether the valve that was fitted running free has that band, over the swing.
+template <class Real>
+bool has_band(const Evidence<Real>& e, Real band) {
+  const Threshold ratio = exact(band / e.band_over_swing);
+  return ratio > 1 / kSameBand && ratio < kSameBand;
+}
+
 // Closed-loop evidence for the valve that was fitted running free.
 template <class Real>
 Threshold confirmation(const Evidence<Real>& e) {
   const Threshold stem = e.stem_weighed ? exact(e.stem_nats) : 0;
-  const Threshold ratio = exact(e.ladder.band / e.band_over_swing);
-  const bool same = ratio > 1 / kSameBand && ratio < kSameBand;
-  return same ? std::max(stem, exact(e.ladder.nats)) : stem;
+  return has_band(e, e.ladder.band) ? std::max(stem, exact(e.ladder.nats)) : stem;
 }
 
 // Whether so many nats of a stem need nothing beside them.
@@ -298,7 +307,8 @@ bool searched_stem_sticks(const Evidence<Real>& e) {
   const SearchedStem<Real>& stem = e.searched;
   const Threshold band = exact(stem.wider_band());
   return stem.asked && speaks_alone(e, stem.nats) && stem.strokes >= kFewestStrokes &&
-         e.reversals >= kFiveCycles && band > kLeastBand && band < kWidestBand;
+         e.reversals >= kFiveCycles && band > kLeastBand && band < kWidestBand &&
+         (band > kLeavesNoiseOut || has_band(e, stem.wider_band()));
 }
 
 template <class Real>

@@ -179,13 +179,20 @@ TEST(JudgeOfBothKinds, ASearchedStemSpeaksInsteadOfARung) {
   expect(stem([](auto& e) { e.reversals = 10; }), Reason::kSticksUnderLoad);
   expect(stem([](auto& e) { e.reversals = 9; }), Reason::kTooFewCycles);
   // The wider of its bands has to matter, and u has to pass it.
-  expect(stem([](auto& e) { e.searched.band.ascending.value = 0.051; }),
-         Reason::kSticksUnderLoad);
-  expect(stem([](auto& e) {
-           e.searched.band.ascending.value = 0.05;
-           e.searched.band.descending.value = 0;
-         }),
-         Reason::kEvidenceTooWeak);
+  const auto narrow = [&stem](double band, double running_free) {
+    return stem([=](auto& e) {
+      e.searched.band.ascending.value = band;
+      e.searched.band.descending.value = 0;
+      e.form = running_free > 0 ? ValveForm::kSymmetric : ValveForm::kLinear;
+      e.band_over_swing = running_free;
+    });
+  };
+  expect(narrow(0.351, 0), Reason::kSticksUnderLoad);
+  expect(narrow(0.35, 0), Reason::kEvidenceTooWeak);
+  expect(narrow(0.34, 0.5), Reason::kSticksUnderLoad);
+  expect(narrow(0.34, 0.52), Reason::kEvidenceTooWeak);
+  expect(narrow(0.051, 0.051), Reason::kSticksUnderLoad);
+  expect(narrow(0.05, 0.05), Reason::kEvidenceTooWeak);
   expect(stem([](auto& e) { e.searched.band.descending.value = 1.04; }),
          Reason::kSticksUnderLoad);
   expect(stem([](auto& e) { e.searched.band.descending.value = 1.05; }),
