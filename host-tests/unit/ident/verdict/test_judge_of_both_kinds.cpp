@@ -160,12 +160,10 @@ TEST(JudgeOfBothKinds, ARungAloneNeedsManyNatsAndABandThatMatters) {
 
 // Where a stem of any kind was looked for, the ladder's has no say of its own.
 TEST(JudgeOfBothKinds, ASearchedStemSpeaksInsteadOfARung) {
-  const auto stem = [](Change change) {
-    Evidence<double> e = rung_alone();
-    e.ladder.nats = 30;
-    e.searched = {true, 60, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
-    return judged(e, change);
-  };
+  Evidence<double> searched = rung_alone();
+  searched.ladder.nats = 30;
+  searched.searched = {true, 60, 20, {{true, 0.5, 0.4, 0.6}, {true, 0.2, 0, 0.3}}};
+  const auto stem = [&searched](Change change) { return judged(searched, change); };
   expect(stem([](auto&) {}), Reason::kSticksUnderLoad);
   expect(stem([](auto& e) { e.searched.nats = 20.1; }), Reason::kSticksUnderLoad);
   expect(stem([](auto& e) { e.searched.nats = 20; }), Reason::kEvidenceTooWeak);
@@ -179,13 +177,13 @@ TEST(JudgeOfBothKinds, ASearchedStemSpeaksInsteadOfARung) {
   expect(stem([](auto& e) { e.reversals = 10; }), Reason::kSticksUnderLoad);
   expect(stem([](auto& e) { e.reversals = 9; }), Reason::kTooFewCycles);
   // The wider of its bands has to matter, and u has to pass it.
-  const auto narrow = [&stem](double band, double running_free) {
-    return stem([=](auto& e) {
-      e.searched.band.ascending.value = band;
-      e.searched.band.descending.value = 0;
-      e.form = running_free > 0 ? ValveForm::kSymmetric : ValveForm::kLinear;
-      e.band_over_swing = running_free;
-    });
+  const auto narrow = [&searched](double band, double running_free) {
+    Evidence<double> e = searched;
+    e.searched.band.ascending.value = band;
+    e.searched.band.descending.value = 0;
+    e.form = running_free > 0 ? ValveForm::kSymmetric : ValveForm::kLinear;
+    e.band_over_swing = running_free;
+    return judge(e, true);
   };
   expect(narrow(0.351, 0), Reason::kSticksUnderLoad);
   expect(narrow(0.35, 0), Reason::kEvidenceTooWeak);
