@@ -66,11 +66,16 @@ std::vector<Parameter> parameters_of(const Fit& fit, const FitIntervals& interva
   return out;
 }
 
-Model model_of(const Fitter& fitter, const Fit& found) {
-  FitIntervals intervals = thorough_intervals_of(fitter, found);
-  for (const Effect* effect : found.effects) {
-    end_by_profile(fitter, found, *effect, intervals);
+FitIntervals told_intervals_of(const Fitter& fitter, const Fit& fit) {
+  FitIntervals intervals = thorough_intervals_of(fitter, fit);
+  for (const Effect* effect : fit.effects) {
+    end_by_profile(fitter, fit, *effect, intervals);
   }
+  return intervals;
+}
+
+Model model_of(const Fitter& fitter, const Fit& found) {
+  const FitIntervals intervals = told_intervals_of(fitter, found);
   const Fit fit = with_absent_limits(fitter, found, intervals);
   Model model;
   model.output = fitter.output();

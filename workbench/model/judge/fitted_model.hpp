@@ -11,6 +11,10 @@ namespace workbench {
 /// The fit as data, with its intervals; history is left to the caller.
 [[nodiscard]] Model model_of(const Fitter& fitter, const Fit& fit);
 
+/// The intervals that are told of a fit: thorough ones, which end where an effect would be
+/// absent and the error says that it is not.
+[[nodiscard]] FitIntervals told_intervals_of(const Fitter& fitter, const Fit& fit);
+
 /// The fit with each limit that may as well lie where it would be absent (W22) laid
 /// there, as long as the error is as small then: what is told is what was fitted.
 [[nodiscard]] Fit with_absent_limits(const Fitter& fitter, Fit fit,

@@ -116,7 +116,7 @@ ExplainResult explain(const Recording& recording, const Model& model,
         }
       }
       const Work::WritingDown writing(work);
-      const FitIntervals intervals = thorough_intervals_of(by, *found.best);
+      const FitIntervals intervals = told_intervals_of(by, *found.best);
       const Fit fit = with_absent_limits(by, *found.best, intervals);
       best.parameters = parameters_of(fit, intervals, catalogue.find(best.effect));
       for (const std::string& code : best.with) {
