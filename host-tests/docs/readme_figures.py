@@ -43,6 +43,10 @@ def table(root):
     loads_found = scores.row("Sticking, by motion of the valve", "all")[2]
     loads_n, loads_false = scores.row("Healthy, without a neighbour that sticks", "all")[:2]
     near_n, near_false = scores.row("Healthy, by cause", "neighbour")[:2]
+    own_n, own_false = scores.row(
+        "Loops whose valve follows, under a load that comes back at its own time", "all")[:2]
+    any_n, any_false = scores.row(
+        "Loops whose valve follows, under a load that is switched at any time", "all")[:2]
     right = [tuple(map(int, pair)) for pair in
              re.findall(r"^(\d+) of (\d+)(?: loops)? right$", scores.text, re.MULTILINE)]
     if len(right) != 2:
@@ -65,6 +69,8 @@ def table(root):
         f"| {loads_found} % | {loads_false} of {loads_n} |",
         "| … healthy loops that a neighbour's sticking valve shakes "
         f"| | {near_false} of {near_n} |",
+        "| … under a load that comes back at its own time; that is switched at any time "
+        f"| | {own_false} of {own_n}; {any_false} of {any_n} |",
         "| recordings of plants with a published cause "
         f"| {sum(r for r, _ in right)} of {sum(n for _, n in right)} | {len(called)} |",
         f"| one hidden effect of a simulated loop named first | {named} % | {wrong} % |",
