@@ -134,7 +134,8 @@ typename ValvePolish<Real>::Point ValvePolish<Real>::jump() {
   const Real left = static_cast<Real>(pattern_.left()) / Real(kEvaluations);
   const Real reach = swing_ * (Real(kLastJumps) + reach_ * left * left);
   const auto any = [&] {
-    return reach * random_.symmetric() * std::abs(random_.symmetric());
+    const Real way = random_.symmetric();
+    return reach * way * std::abs(random_.symmetric());
   };
   Point point = pattern_.best();
   const bool alike = form_ == ValveForm::kSymmetric;
