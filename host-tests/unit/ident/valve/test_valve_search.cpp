@@ -362,21 +362,6 @@ TEST(ValveSearch, FindsAValveThatStopsInFewCycles) {
   }
 }
 
-// One that resticks slips twice a stroke and is found in about half of such windows;
-// these are among them, however the compiler orders the random numbers.
-class ValveThatResticks : public testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(ValveThatResticks, IsFoundInFewCycles) {
-  const Scaled<double> s =
-      scale<double>(driven(valve_of(SlipMotion::kResticks), 320, 0.02, GetParam()));
-  const Search<double> search(s);
-  EXPECT_LT(band_error(search, s), 0.03);
-  EXPECT_EQ(search.found().friction.motion, SlipMotion::kResticks);
-  EXPECT_LT(search.found().fit.error, 2e-4 * 320);
-}
-
-INSTANTIATE_TEST_SUITE_P(Windows, ValveThatResticks, testing::Values(5, 7, 8));
-
 // That valve as an earlier window left it.
 EarlierValve earlier_of(SlipMotion motion, float unexplained, std::uint8_t trusted) {
   return {{1.2F, 3, 2, motion}, 12, 0, unexplained, trusted};
