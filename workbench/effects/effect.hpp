@@ -216,6 +216,7 @@ class Effect {
       std::span<const double> /*p*/) const {
     return std::nullopt;
   }
+  /// The form that it may take or not; none for most effects.
   [[nodiscard]] virtual OptionalForm optional_form() const { return {}; }
   /// Of a limit: why it may never show although it is there, one sentence; empty where
   /// nothing in u says so.
