@@ -10,6 +10,7 @@
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/search/ladder.hpp"
+#include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/model/tell/harm.hpp"
 #include "workbench/recording/resample.hpp"
@@ -56,12 +57,14 @@ std::string change_text(const HistoryStep& step) {
          '\n';
 }
 
-int tell(const Options& options, const FittedModel& next, nlohmann::ordered_json json,
-         const std::string& text) {
+int tell(const Options& options, const Recording& recording, const FittedModel& next,
+         nlohmann::ordered_json json, const std::string& text) {
   const std::string kept = saved(next.model, options.target);
   json["recordings"] = recordings_json(next.quality.recordings);
   print(options.json ? json_line(json)
-                     : text + caution_text(next.model, next.quality.fit_percent) +
+                     : text +
+                           caution_text(next.model, next.quality.fit_percent,
+                                        is_left_to_controller(next.model, recording)) +
                            recordings_table(next.quality.recordings) + kept);
   return kDone;
 }
@@ -82,7 +85,7 @@ int add_to(const Options& options) {
   }
   complain_about_left_behind(next.model, read.joined);
   complain_about_unused(read, next.model, work);
-  return tell(options, next, added_json(next.model),
+  return tell(options, read.joined, next, added_json(next.model),
               "Added " + options.effect + change_text(next.model.history.back()) +
                   effect_table(next.model.effects.back(), 4) +
                   harm_text(next.model, options.effect));
@@ -99,7 +102,7 @@ int remove_from(const Options& options) {
       remove_effect(read.joined, model, options.effect, standard_catalogue(), work);
   complain_about_left_behind(next.model, read.joined);
   complain_about_unused(read, next.model, work);
-  return tell(options, next, removed_json(next.model),
+  return tell(options, read.joined, next, removed_json(next.model),
               "Removed " + options.effect + change_text(next.model.history.back()));
 }
 

@@ -53,6 +53,7 @@ std::string what_is_missing(const ExplainResult& result, bool hardly,
     }
     return text + '\n';
   }
+  if (result.left_to_controller) return "";
   // Of a model that explains nothing that is no praise.
   if (result.explained) {
     return hardly ? "" : noise_is_left("Nothing is missing", verdict) + "\n\n";
@@ -70,8 +71,10 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
                              const SearchSoFar& so_far) {
   const bool single = result.recordings.size() == 1;
   const double fit = single ? result.recordings.front().fit_percent : 100;
+  const bool blind = result.left_to_controller;
   const bool hardly = single && says_hardly_anything(fit);
-  std::string text = hardly ? caution_text(model, fit) + '\n' : std::string();
+  std::string text =
+      hardly || blind ? caution_text(model, fit, blind) + '\n' : std::string();
   text += what_is_missing(result, hardly, verdict, so_far);
   if (!result.complete) {
     text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
@@ -80,7 +83,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise at most " +
           number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings);
-  if (single && !hardly) text += caution_text(model, fit);
+  if (single && !hardly && !blind) text += caution_text(model, fit, false);
   text += '\n';
   if (result.searched) {
     text += searched_text(*result.searched, "all errors and figures here.") + '\n';

@@ -111,7 +111,8 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
     text += '\n' + term.effect + '\n' + effect_table(term, 2);
   }
   text += "\nprocess\n" + parameter_table(result.model.process, 2);
-  const std::string mind = caution_text(result.model, result.quality.fit_percent);
+  const std::string mind = caution_text(result.model, result.quality.fit_percent,
+                                        result.last.left_to_controller);
   if (!mind.empty()) text += '\n' + mind;
   const std::string idle = never_exercised(result);
   if (!idle.empty()) {

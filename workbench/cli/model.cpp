@@ -11,6 +11,7 @@
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/search/ladder.hpp"
+#include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/model/tell/model_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -33,7 +34,8 @@ Several recordings of one loop get one model, with an initial state each. --vali
 names one that judges: nothing is fitted to it but its initial state. So it is with
 the other commands.)";
 
-std::string model_text(const FittedModel& fitted, const std::string& kept) {
+std::string model_text(const FittedModel& fitted, const Recording& recording,
+                       const std::string& kept) {
   std::string text = "Model of " + std::string(name_of(fitted.model.output)) +
                      " from u, " + fitted.model.fitted.name + "\n\n  process\n" +
                      parameter_table(fitted.model.process, 4);
@@ -43,7 +45,8 @@ std::string model_text(const FittedModel& fitted, const std::string& kept) {
   return text + "\nFit " + fixed(fitted.quality.fit_percent, 1) + " %, error " +
          number(fitted.quality.rmse, 4) + " (validation " +
          number(fitted.quality.rmse_validation, 4) + ")\n" +
-         caution_text(fitted.model, fitted.quality.fit_percent) +
+         caution_text(fitted.model, fitted.quality.fit_percent,
+                      is_left_to_controller(fitted.model, recording)) +
          recordings_table(fitted.quality.recordings) + kept;
 }
 
@@ -62,7 +65,7 @@ int make(const ModelOptions& options) {
   const std::string kept = saved(fitted.model, options.target);
   nlohmann::ordered_json json = model_json(fitted.model);
   json["recordings"] = recordings_json(fitted.quality.recordings);
-  print(options.json ? json_line(json) : model_text(fitted, kept));
+  print(options.json ? json_line(json) : model_text(fitted, recording, kept));
   return kDone;
 }
 

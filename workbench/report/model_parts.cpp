@@ -226,6 +226,10 @@ std::string model_headline(const ModelReport& report) {
     return "The model still lacks " + listed(titles_of(members_of(*missing)), " and ") +
            ".";
   }
+  if (report.explanation.left_to_controller) {
+    return "Nothing but the controller moves u: what the process makes of it is not "
+           "told.";
+  }
   if (says_hardly_anything(report.comparison.quality.fit_percent)) {
     return "From u alone the model says hardly anything about the output.";
   }
@@ -300,7 +304,8 @@ std::string model_verdict(const ModelReport& report) {
     }
   }
   for (const std::string& caution :
-       cautions(report.model, report.comparison.quality.fit_percent)) {
+       cautions(report.model, report.comparison.quality.fit_percent,
+                report.explanation.left_to_controller)) {
     remarks.push_back({"Mind this.", caution});
   }
   if (!report.explanation.explained && !report.comparison.failures.empty()) {

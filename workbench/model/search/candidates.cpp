@@ -13,6 +13,7 @@
 #include "workbench/model/judge/untold_instant.hpp"
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/fitted_only.hpp"
+#include "workbench/model/search/left_to_controller.hpp"
 #include "workbench/model/search/outdone.hpp"
 #include "workbench/model/search/pairs.hpp"
 #include "workbench/model/search/trial.hpp"
@@ -56,10 +57,11 @@ bool is_jumpy_load(const Trial& trial) {
   return trial.effect->description().is_load() && is_jumpy(trial);
 }
 
-// Fits every effect that `base` lacks; the promising ones to the end.
+// Fits every effect that `base` lacks, `blind` none that is told from u; the promising
+// ones to the end.
 std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
                           const Catalogue& catalogue, const ExplainProgress& progress,
-                          double hopeless_above) {
+                          double hopeless_above, bool blind) {
   std::vector<const Effect*> missing;
   for (const Effect* effect : catalogue.effects()) {
     if (!contains(base.effects, *effect)) missing.push_back(effect);
@@ -67,17 +69,22 @@ std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
   constexpr double kAny = std::numeric_limits<double>::infinity();
   std::vector<Trial> trials(missing.size());
   std::vector<ScreenedStarts> seen(missing.size());
-  for (std::size_t i = 0; i < trials.size(); ++i) trials[i].effect = missing[i];
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].effect = missing[i];
+    trials[i].left_to_controller = blind && missing[i]->description().needs_u;
+  }
   const auto seen_of = [&](const Trial& trial) -> ScreenedStarts& {
     return seen[static_cast<std::size_t>(&trial - trials.data())];
   };
   // The dearest first, so that the threads end together.
   std::vector<Trial*> order;
-  for (Trial& trial : trials) order.push_back(&trial);
+  for (Trial& trial : trials) {
+    if (!trial.left_to_controller) order.push_back(&trial);
+  }
   std::stable_sort(order.begin(), order.end(), [](const Trial* a, const Trial* b) {
     return a->effect->description().sticks > b->effect->description().sticks;
   });
-  Steps steps(progress, static_cast<int>(missing.size()));
+  Steps steps(progress, static_cast<int>(order.size()));
   fitter.work().for_each(order.size(), [&](std::size_t i) {
     Trial& trial = *order[i];
     steps.begin(trial.effect->code());
@@ -207,7 +214,7 @@ bool tells_more(const Trial& trial, double alone) {
 
 // What an exploration found, best first, and how the model stands.
 void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
-            bool in_time, bool seen, Exploration& out) {
+            bool in_time, bool seen, bool blind, Exploration& out) {
   if (best != nullptr) out.best = *best->fit;
   std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
     const int ra = rank(a.candidate);
@@ -238,7 +245,8 @@ void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
            trial.candidate.error_reduction_percent > kDoubtfulPercent;
   });
   out.result.complete = in_time;
-  out.result.explained = best == nullptr && in_time && !in_doubt &&
+  out.result.left_to_controller = blind;
+  out.result.explained = best == nullptr && in_time && !in_doubt && !blind &&
                          is_noise(out.base.residual) && following < kHardlyAny;
 }
 
@@ -249,8 +257,9 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
                     double hopeless_above) {
   Exploration out;
   out.base = start;
+  const bool blind = is_left_to_controller(fitter, start, identified);
   std::vector<Trial> trials =
-      screen(fitter, out.base, catalogue, progress, hopeless_above);
+      screen(fitter, out.base, catalogue, progress, hopeless_above, blind);
   try {
     better_base(fitter, trials, out.base);
   } catch (const OutOfTime&) {  // the base stands as it is
@@ -297,7 +306,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   leave_outdone_open(trials);
   leave_untold_loads_open(fitter, trials);
   const Trial* best = choose(fitter, trials);
-  report(fitter, trials, best, !last, seen, out);
+  report(fitter, trials, best, !last, seen, blind, out);
   return out;
 }
 

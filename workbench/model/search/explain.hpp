@@ -79,6 +79,7 @@ struct Searched {
 struct ExplainResult {
   bool complete = true;    ///< false: the time limit ended it; the best so far
   bool explained = false;  ///< nothing accepted, and the residual is noise (noise.hpp)
+  bool left_to_controller = false;    ///< (W31): what u does to y was not judged
   std::vector<Candidate> candidates;  ///< best first
   double rmse = 0;                    ///< of the model as it is, all samples
   double rmse_validation = 0;

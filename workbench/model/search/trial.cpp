@@ -359,6 +359,14 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     c.evidence = "The time was up before it was tried.";
     return;
   }
+  if (trial.left_to_controller) {
+    c.status = CandidateStatus::kNotExcited;
+    c.evidence =
+        "In this recording nothing but the controller moves u, so that what the process "
+        "makes of u is not told from what the controller makes of y; change the setpoint "
+        "a few times, or move u by hand.";
+    return;
+  }
   if (!trial.fit) {
     c.status = CandidateStatus::kRejected;
     c.evidence = "Nothing in the recording looks like it.";

@@ -29,12 +29,13 @@ struct Trial {
   double p_family = 1;   // after Holm
   bool untried = false;  // the time was up
   bool visible = true;
-  std::string objection;  // why it cannot be this effect
-  bool own = false;       // shown by the effect's own test, not by the error
-  bool on = false;        // an interval excludes "off"
+  bool left_to_controller = false;  // (W31), and so not fitted
+  std::string objection;            // why it cannot be this effect
+  bool own = false;                 // shown by the effect's own test, not by the error
+  bool on = false;                  // an interval excludes "off"
   bool edge = false;
   bool too_few = false;  // it shows, but its events are too few
-  double score = 0;  // the smaller, the better; comparable between trials
+  double score = 0;      // the smaller, the better; comparable between trials
   Candidate candidate;
 };
 

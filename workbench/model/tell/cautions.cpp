@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workbench/effects/catalogue.hpp"
+#include "workbench/model/base/controller_law.hpp"
 #include "workbench/recording/filled.hpp"
 
 namespace workbench {
@@ -19,8 +20,30 @@ bool is_beside_the_point(const Candidate& best) {
          best.error_reduction_percent < kHardlyAnyPercent;
 }
 
-std::vector<std::string> cautions(const Model& model, double fit_percent) {
+bool is_left_to_controller(const Model& model, const Recording& recording) {
+  const Catalogue catalogue = standard_catalogue().with(recording.loads);
+  const bool has_other_cause =
+      std::ranges::any_of(model.effects, [&catalogue](const EffectTerm& term) {
+        const Effect* effect = catalogue.find(term.effect);
+        return effect != nullptr &&
+               (effect->description().sticks || effect->description().recorded);
+      });
+  if (model.output != Column::y || has_other_cause) return false;
+  std::vector<Piece> pieces = recording.pieces;
+  if (pieces.empty()) pieces.push_back({.first = 0, .last = recording.size()});
+  return follows_law(law_share(recording.u, recording.y, pieces));
+}
+
+std::vector<std::string> cautions(const Model& model, double fit_percent,
+                                  bool left_to_controller) {
   constexpr double kAtBound = 0.99;
+  if (left_to_controller) {
+    return {
+        "Nothing but the controller moves u in this recording. Unless the valve itself "
+        "makes the loop cycle, what the process makes of u is not told from what the "
+        "controller makes of y, and this model may be that of the controller: change the "
+        "setpoint a few times, or move u by hand."};
+  }
   if (says_hardly_anything(fit_percent)) {
     return {
         "From u alone the model says hardly more about the output than a constant would: "

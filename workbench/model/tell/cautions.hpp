@@ -17,8 +17,14 @@ namespace workbench {
 /// none of the error is its doing. `best`: an accepted candidate.
 [[nodiscard]] bool is_beside_the_point(const Candidate& best);
 
-/// Whole sentences in plain text, empty where there is nothing to say: a first lag that
-/// only the length of the recording bounds, a fit that a constant would reach, too.
-[[nodiscard]] std::vector<std::string> cautions(const Model& model, double fit_percent);
+/// (W31) True where nothing but the controller moves u in the recording, and the model
+/// has neither a stem nor a recorded load that would move y.
+[[nodiscard]] bool is_left_to_controller(const Model& model, const Recording& recording);
+
+/// Whole sentences in plain text, empty where there is nothing to say: u that only the
+/// controller moves, a first lag that only the length of the recording bounds, a fit that
+/// a constant would reach, too.
+[[nodiscard]] std::vector<std::string> cautions(const Model& model, double fit_percent,
+                                                bool left_to_controller);
 
 }  // namespace workbench

@@ -1,6 +1,7 @@
 // What to know about a model before its numbers are used.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,11 +26,12 @@ Model with_lag(double lag_s) {
 }
 
 TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
-  EXPECT_TRUE(cautions(with_lag(120), 80).empty());
+  EXPECT_TRUE(cautions(with_lag(120), 80, false).empty());
 }
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
-  EXPECT_TRUE(caution_says(cautions(with_lag(500), 80), "try process.integrating"));
+  EXPECT_TRUE(
+      caution_says(cautions(with_lag(500), 80, false), "try process.integrating"));
 }
 
 TEST(Cautions, AFactOfTheRecordMayBeBesideThePoint) {
@@ -44,9 +46,27 @@ TEST(Cautions, AFactOfTheRecordMayBeBesideThePoint) {
 }
 
 TEST(Cautions, AFitThatAConstantReachesIsSaid) {
-  EXPECT_TRUE(caution_says(cautions(with_lag(120), -2.4), "a constant"));
-  EXPECT_TRUE(caution_says(cautions(Model{}, 4.9), "a constant"));
-  EXPECT_TRUE(cautions(Model{}, 5.1).empty());
+  EXPECT_TRUE(caution_says(cautions(with_lag(120), -2.4, false), "a constant"));
+  EXPECT_TRUE(caution_says(cautions(Model{}, 4.9, false), "a constant"));
+  EXPECT_TRUE(cautions(Model{}, 5.1, false).empty());
+}
+
+TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) {
+  Recording recording;
+  double sum = 0;
+  for (std::size_t k = 0; k < 400; ++k) {
+    const double y = std::sin(0.1 * static_cast<double>(k)) > 0 ? 2 : -1;
+    sum += y;
+    recording.y.push_back(50 + y);
+    recording.u.push_back(40 - 0.5 * y - 0.02 * sum);
+  }
+  EXPECT_TRUE(is_left_to_controller(Model{}, recording));
+  Model with_stem;
+  with_stem.effects = {{.effect = "valve.stiction"}};
+  EXPECT_FALSE(is_left_to_controller(with_stem, recording));
+  for (std::size_t k = 200; k < 400; ++k) recording.u[k] += 5;
+  EXPECT_FALSE(is_left_to_controller(Model{}, recording)) << "something else moves u";
+  EXPECT_TRUE(caution_says(cautions(Model{}, 97, true), "change the setpoint"));
 }
 
 }  // namespace

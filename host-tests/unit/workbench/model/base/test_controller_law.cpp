@@ -1,0 +1,72 @@
+// u against laws known in advance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "workbench/model/base/controller_law.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr std::size_t kSamples = 600;
+
+// An output that is pushed about.
+std::vector<double> pushed() {
+  std::vector<double> y;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const auto t = static_cast<double>(k);
+    y.push_back(50 + 3 * std::sin(t / 17) + 2 * std::sin(t / 5.3 + 1));
+  }
+  return y;
+}
+
+// What a PID controller makes of it, with a setpoint of its own in each piece.
+std::vector<double> answer(const std::vector<double>& y,
+                           const std::vector<Piece>& pieces) {
+  std::vector<double> u(y.size());
+  double setpoint = 50;
+  for (const Piece& piece : pieces) {
+    double sum = 0;
+    for (std::size_t k = piece.first; k < piece.last; ++k) {
+      const double error = setpoint - y[k];
+      sum += error;
+      const double change = k > piece.first ? y[k] - y[k - 1] : 0;
+      u[k] = 30 + 0.8 * error + 0.04 * sum - 1.5 * change;
+    }
+    setpoint += 4;
+  }
+  return u;
+}
+
+TEST(ControllerLaw, FindsTheLawWhereNothingElseMovesU) {
+  const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
+  const std::vector<double> y = pushed();
+  const LawShare share = law_share(answer(y, whole), y, whole);
+  EXPECT_NEAR(share.of_level, 1, 1e-9);
+  EXPECT_NEAR(share.of_changes, 1, 1e-4) << "the first sample has no change before it";
+  EXPECT_TRUE(follows_law(share));
+}
+
+TEST(ControllerLaw, GivesEachPieceASetpointOfItsOwn) {
+  const std::vector<Piece> two = {{.first = 0, .last = 250},
+                                  {.first = 250, .last = kSamples}};
+  const std::vector<double> y = pushed();
+  EXPECT_NEAR(law_share(answer(y, two), y, two).of_level, 1, 1e-9);
+}
+
+TEST(ControllerLaw, SeesWhatElseMovesU) {
+  const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
+  const std::vector<double> y = pushed();
+  std::vector<double> moved = answer(y, whole);
+  for (std::size_t k = 300; k < kSamples; ++k) moved[k] += 20;
+  EXPECT_FALSE(follows_law(law_share(moved, y, whole))) << "a hand";
+  std::vector<double> by_hand(kSamples);
+  for (std::size_t k = 0; k < kSamples; ++k) by_hand[k] = k / 100 % 2 == 0 ? 40 : 50;
+  EXPECT_FALSE(follows_law(law_share(by_hand, y, whole)));
+  const std::vector<double> still(kSamples, 50.0);
+  EXPECT_EQ(law_share(still, y, whole).of_level, 0);
+}
+
+}  // namespace
+}  // namespace workbench

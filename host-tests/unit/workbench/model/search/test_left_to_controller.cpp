@@ -1,0 +1,85 @@
+// A loop that nothing but its controller moves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/workbench/setpoint_loop.hpp"
+#include "workbench/effects/effects.hpp"
+#include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/ladder.hpp"
+#include "workbench/model/search/left_to_controller.hpp"
+
+namespace workbench {
+namespace {
+
+using test::SetpointLoop;
+using test::simulated;
+
+// A load that is switched on and off every 70 samples.
+SetpointLoop under_a_load() {
+  SetpointLoop loop;
+  loop.setpoint_moves = false;
+  loop.load = [](std::size_t k) { return k / 70 % 2 == 0 ? 0.0 : 6.0; };
+  return loop;
+}
+
+bool left_to_controller(const Recording& recording,
+                        const std::vector<const Effect*>& effects = {}) {
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  return is_left_to_controller(fitter, fitter.start(effects), identified);
+}
+
+TEST(LeftToController, ALoadAloneTellsNothingOfTheProcess) {
+  EXPECT_TRUE(left_to_controller(simulated(under_a_load())));
+}
+
+TEST(LeftToController, SetpointsAndAHandTell) {
+  EXPECT_FALSE(left_to_controller(simulated(SetpointLoop{})));
+  const std::vector<double> levels = {40, 55, 45, 60, 50};
+  EXPECT_FALSE(left_to_controller(test::stepped(levels, [](double u) { return u; })));
+}
+
+TEST(LeftToController, AValveThatMakesTheLoopCycleTells) {
+  SetpointLoop loop;
+  loop.setpoint_moves = false;
+  loop.samples = 2400;
+  loop.valve = [x = 50.0](double u) mutable {
+    const double pull = u - x;
+    if (std::abs(pull) > 5) x = u - std::copysign(1, pull);
+    return x;
+  };
+  EXPECT_FALSE(left_to_controller(simulated(loop)));
+}
+
+TEST(LeftToController, ARecordedLoadTells) {
+  Recording recording = simulated(under_a_load());
+  Load load{.name = "FI-1"};
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    load.values.push_back(under_a_load().load(k));
+  }
+  recording.loads.push_back(load);
+  const Catalogue catalogue = standard_catalogue().with(recording.loads);
+  const auto found = std::ranges::find_if(catalogue.effects(), [](const Effect* effect) {
+    return effect->description().recorded;
+  });
+  ASSERT_NE(found, catalogue.effects().end());
+  EXPECT_FALSE(left_to_controller(recording, {*found}));
+}
+
+TEST(LeftToController, NothingBetweenUAndYIsNamed) {
+  const Recording recording = simulated(under_a_load());
+  const Model model = start_model(recording, Column::y).model;
+  const ExplainResult result = explain(recording, model);
+  EXPECT_TRUE(result.left_to_controller);
+  EXPECT_FALSE(result.explained) << "the model may be that of the controller";
+  for (const Candidate& candidate : result.candidates) {
+    const Effect* effect = standard_catalogue().find(candidate.effect);
+    if (!effect->description().needs_u) continue;
+    EXPECT_EQ(candidate.status, CandidateStatus::kNotExcited) << candidate.effect;
+    EXPECT_NE(candidate.evidence.find("nothing but the controller"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace workbench

@@ -1,0 +1,26 @@
+// How much of u is what a controller with a constant setpoint makes of y.
+#pragma once
+
+#include <span>
+
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// Shares of the squares of u, less a straight line in each piece, and of its changes,
+/// that a linear PID controller makes of y: 0 … 1. 0 where u does not move.
+struct LawShare {
+  double of_level = 0;
+  double of_changes = 0;
+};
+
+/// `u` and `y` of one length; `pieces` cover it, each with a setpoint of its own.
+/// O(samples).
+[[nodiscard]] LawShare law_share(std::span<const double> u, std::span<const double> y,
+                                 std::span<const Piece> pieces);
+
+/// (W31) True where u holds nothing but such a law: no setpoint, hand or feedforward
+/// moves it by more than a tenth of its squares, nor suddenly.
+[[nodiscard]] bool follows_law(const LawShare& share);
+
+}  // namespace workbench
