@@ -1,5 +1,6 @@
 #include "workbench/model/base/controller_law.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -94,14 +95,18 @@ double share_of(const Signals& s) {
 
 LawShare law_share(std::span<const double> u, std::span<const double> y,
                    std::span<const Piece> pieces) {
+  const auto [least, most] = std::ranges::minmax(u);
+  if (least == most) return {};
   const Signals levels = levels_of(u, y, pieces);
   return {share_of(levels), share_of(changes_of(levels, pieces))};
 }
 
 bool follows_law(const LawShare& share) {
-  constexpr double kLevel = 0.9;
-  constexpr double kChanges = 0.2;
-  return share.of_level > kLevel && share.of_changes > kChanges;
+  constexpr double kMost = 0.9;
+  constexpr double kNearlyAll = 0.99;  // of the level, where u is rounded
+  constexpr double kSome = 0.2;
+  return (share.of_level > kMost && share.of_changes > kMost) ||
+         (share.of_level > kNearlyAll && share.of_changes > kSome);
 }
 
 }  // namespace workbench

@@ -14,13 +14,14 @@ struct LawShare {
   double of_changes = 0;
 };
 
-/// `u` and `y` of one length; `pieces` cover it, each with a setpoint of its own.
+/// `u` and `y` of one length, 1 or more; `pieces` cover it, each with a setpoint of its own.
 /// O(samples).
 [[nodiscard]] LawShare law_share(std::span<const double> u, std::span<const double> y,
                                  std::span<const Piece> pieces);
 
-/// (W31) True where u holds nothing but such a law: no setpoint, hand or feedforward
-/// moves it by more than a tenth of its squares, nor suddenly.
+/// (W31) True where u holds nothing but such a law: a tenth of its squares at most are of
+/// setpoints, hands, feedforward or a relay, and as little of its changes; where u is
+/// rounded, which its changes show most, a hundredth.
 [[nodiscard]] bool follows_law(const LawShare& share);
 
 }  // namespace workbench

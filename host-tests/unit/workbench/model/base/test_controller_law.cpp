@@ -64,6 +64,8 @@ TEST(ControllerLaw, SeesWhatElseMovesU) {
   std::vector<double> by_hand(kSamples);
   for (std::size_t k = 0; k < kSamples; ++k) by_hand[k] = k / 100 % 2 == 0 ? 40 : 50;
   EXPECT_FALSE(follows_law(law_share(by_hand, y, whole)));
+  EXPECT_FALSE(follows_law({.of_level = 0.98, .of_changes = 0.8})) << "a relay";
+  EXPECT_TRUE(follows_law({.of_level = 0.995, .of_changes = 0.8})) << "u is rounded";
   const std::vector<double> still(kSamples, 50.0);
   EXPECT_EQ(law_share(still, y, whole).of_level, 0);
 }

@@ -44,9 +44,10 @@ TEST(LeftToController, AValveThatMakesTheLoopCycleTells) {
   SetpointLoop loop;
   loop.setpoint_moves = false;
   loop.samples = 2400;
+  loop.load = [](std::size_t k) { return k < 60 ? 8.0 : 0.0; };  // sets it going
   loop.valve = [x = 50.0](double u) mutable {
     const double pull = u - x;
-    if (std::abs(pull) > 5) x = u - std::copysign(1, pull);
+    if (std::abs(pull) > 3) x = u - std::copysign(1, pull);
     return x;
   };
   EXPECT_FALSE(left_to_controller(simulated(loop)));

@@ -57,6 +57,7 @@ TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) 
   for (std::size_t k = 0; k < 400; ++k) {
     const double y = std::sin(0.1 * static_cast<double>(k)) > 0 ? 2 : -1;
     sum += y;
+    recording.t.push_back(static_cast<double>(k));
     recording.y.push_back(50 + y);
     recording.u.push_back(40 - 0.5 * y - 0.02 * sum);
   }
