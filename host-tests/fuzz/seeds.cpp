@@ -151,17 +151,23 @@ std::string log(const char* line_end, int step_y_ms, int missing_from, int missi
 }  // namespace
 
 std::vector<std::string> csv_seeds() {
-  return {comma_file("\n", 99, 99),
-          comma_file("\r\n", 10, 13),
-          semicolon_file(),
-          tab_file(),
-          irregular_file(),
-          "u\n1\n2\n3\n",
-          wide_export(),
-          long_export(),
-          paired_export(),
-          turned_export(),
-          "t,u,y\n1780000000000,1,2\n1780000000500,2,3\n1780000001000,3,4\n"};
+  return {
+      "2026-03-04T06:00:01Z level=info say=\"a b\" op=4.5 pv=6.1\n"
+      "2026-03-04T06:00:02Z level=info say=\"a b\" op=4.6 pv=6.2\n"
+      "[2026-03-04T06:00:03Z] level=info say=\"a b\" op=4.7 pv=6.3\n",
+      "-[ RECORD 1 ]-+---\nt  | 0\nop | 1\npv | 2\n"
+      "-[ RECORD 2 ]-+---\nt  | 1\nop | 2\npv | 3\n",
+      comma_file("\n", 99, 99),
+      comma_file("\r\n", 10, 13),
+      semicolon_file(),
+      tab_file(),
+      irregular_file(),
+      "u\n1\n2\n3\n",
+      wide_export(),
+      long_export(),
+      paired_export(),
+      turned_export(),
+      "t,u,y\n1780000000000,1,2\n1780000000500,2,3\n1780000001000,3,4\n"};
 }
 
 std::vector<std::string> dbc_seeds() {

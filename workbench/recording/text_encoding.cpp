@@ -11,6 +11,8 @@
 #include "workbench/recording/json_table.hpp"
 #include "workbench/recording/labview_export.hpp"
 #include "workbench/recording/line_protocol.hpp"
+#include "workbench/recording/logfmt.hpp"
+#include "workbench/recording/record_blocks.hpp"
 #include "workbench/recording/ruled_table.hpp"
 #include "workbench/recording/scope_export.hpp"
 #include "workbench/recording/text_code.hpp"
@@ -263,9 +265,11 @@ std::string_view tabular(std::string_view text, const std::string& file,
   }
   std::optional<std::string> table = scope_text(text);
   if (!table) table = labview_text(text, file);
+  if (!table) table = record_blocks_text(text);
+  if (!table) table = line_protocol_text(text, file);
+  if (!table) table = logfmt_text(text);
   if (!table) table = ruled_text(text);
   if (!table) table = fixed_width_text(text);
-  if (!table) table = line_protocol_text(text, file);
   if (!table) return text;
   storage = std::move(*table);
   return storage;
