@@ -211,8 +211,19 @@ EndPart end_part(const std::vector<std::string>& keys) {
   return {};
 }
 
+// FIC101.OP_IP_TREND_VALUE: the value of a tag in the history of IP.21.
+void cut_field_of_history(std::vector<std::string>& keys) {
+  constexpr std::array kField = {"ip"sv, "trend"sv, "value"sv};
+  const bool has = keys.size() > kField.size() &&
+                   std::equal(kField.rbegin(), kField.rend(), keys.rbegin());
+  if (!has) return;
+  const std::vector<std::string> inner(keys.begin(), keys.end() - kField.size());
+  if (is_signal(end_part(inner).part)) keys = inner;
+}
+
 // The part at the end of a name, less the words there that only say that it is a value.
 EndPart signal_part(std::vector<std::string>& keys) {
+  cut_field_of_history(keys);
   // F_CV, A_CV: the current value of a block, as a number or as text.
   if (keys.size() > 2 && keys.back() == "cv" && keys[keys.size() - 2].size() == 1) {
     keys.resize(keys.size() - 2);

@@ -54,6 +54,8 @@ TEST(ColumnName, SaysTagPartAndUnit) {
            {"Zeit in min", Part::kTime, "", "min"},
            {"Date/Time", Part::kTime, "", ""},
            {"IP_TREND_VALUE", Part::kValue, "ip", ""},
+           {"OP_IP_TREND_VALUE", Part::kU, "", ""},
+           {"FIC101.PV_IP_TREND_VALUE", Part::kY, "fic101", ""},
            {"LV_106", Part::kU, "l106", ""},
            {"axis x", Part::kNone, "", ""},
            {"", Part::kNone, "", ""},
