@@ -8,6 +8,7 @@
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/recording/named_signal.hpp"
+#include "workbench/recording/option_words.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -71,7 +72,8 @@ std::string search_on(const SearchSoFar& so_far, const std::vector<std::string>&
   if (!is_new) return {};
   std::string codes;
   for (const std::string& code : all) codes += (codes.empty() ? "" : ",") + code;
-  return so_far.ladder + " --with " + shell_word(codes);
+  return so_far.ladder + " --with " + shell_word(codes) +
+         (so_far.keep.empty() ? "" : " -o " + file_word(so_far.keep));
 }
 
 std::string what_comes_closest(const std::string& before, const ExplainResult& result,

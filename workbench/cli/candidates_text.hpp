@@ -18,10 +18,11 @@ struct SearchSoFar {
   std::vector<std::string> in_model;    ///< effects
   std::vector<std::string> begun_with;  ///< effects of --with
   bool has_further_columns = false;     ///< that move, and were not used
+  std::string keep = {};                ///< file of its model; "": it is not kept
 };
 
-/// "stickband ladder a.csv --with …": from the effects in the model and `more` on; "" for
-/// a search that begins as this one did, or with nothing.
+/// "stickband ladder a.csv --with … -o m2.json": from the effects in the model and `more`
+/// on; "" for a search that begins as this one did, or with nothing.
 [[nodiscard]] std::string search_on(const SearchSoFar& so_far,
                                     const std::vector<std::string>& more = {});
 

@@ -12,6 +12,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/next_file.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
 #include "workbench/effects/catalogue.hpp"
@@ -117,8 +118,11 @@ int explain_with(const ModelOptions& options) {
       read, model, work, lacking != nullptr ? lacking->effect : std::string());
   nlohmann::ordered_json json = explanation_json(result);
   json["identify"] = verdict_json(verdict);
-  const SearchSoFar so_far{
-      ladder_words(options), model.effect_codes(), {}, !unused.names.empty()};
+  const SearchSoFar so_far{ladder_words(options, model.output),
+                           model.effect_codes(),
+                           {},
+                           !unused.names.empty(),
+                           next_file(options.model)};
   print(options.json ? json_line(json)
                      : explanation_text(result, model, verdict, time_was_up, so_far));
   return kDone;

@@ -14,6 +14,7 @@
 #include "workbench/cli/ladder_steps.hpp"
 #include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/next_file.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
 #include "workbench/model/tell/cautions.hpp"
@@ -151,8 +152,9 @@ int climb(const ModelOptions& options) {
   const std::string kept = saved(result.model, options.target);
   nlohmann::ordered_json json = ladder_json(result);
   json["identify"] = verdict_json(verdict);
-  const SearchSoFar so_far{ladder_words(options), result.model.effect_codes(),
-                           ladder.with, !unused.names.empty()};
+  const SearchSoFar so_far{ladder_words(options, ladder.output),
+                           result.model.effect_codes(), ladder.with,
+                           !unused.names.empty(), next_file(options.target)};
   print(options.json
             ? json_line(json)
             : ladder_text(result, recording, verdict, time_was_up, so_far, kept));

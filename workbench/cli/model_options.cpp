@@ -128,12 +128,12 @@ Column output_of(const ModelOptions& options, Column otherwise) {
                                  : Column::y;
 }
 
-std::string ladder_words(const ModelOptions& options) {
+std::string ladder_words(const ModelOptions& options, Column output) {
   std::string out = "stickband ladder " + file_word(options.source.path);
   for (const std::string& file : options.more) out += ' ' + file_word(file);
   out += option_words(options.source);
   for (const std::string& file : options.judging) out += " --validate " + file_word(file);
-  return out + (options.output == "x" ? " --output x" : "");
+  return out + (output == Column::x ? " --output x" : "");
 }
 
 void refuse_to_replace(const std::string& input, const std::string& target) {

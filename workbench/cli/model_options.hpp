@@ -43,8 +43,8 @@ void add_with(CLI::App& command, ModelOptions& options);
 void add_work(CLI::App& command, ModelOptions& options, bool within);
 
 /// "stickband ladder a.csv b.csv --u OP --validate c.csv": the search on the same
-/// recordings, read alike.
-[[nodiscard]] std::string ladder_words(const ModelOptions& options);
+/// recordings, read alike, for `output`.
+[[nodiscard]] std::string ladder_words(const ModelOptions& options, Column output);
 
 /// The effects of --with. Throws UsageError for an unknown one or one named twice.
 [[nodiscard]] std::vector<std::string> effects_of(const ModelOptions& options);

@@ -9,7 +9,9 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/identification_text.hpp"
+#include "workbench/cli/next_file.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/recording/option_words.hpp"
 
 namespace workbench::cli {
 namespace {
@@ -42,9 +44,9 @@ class Narrator {
     print(json_ ? json_line(event_json(event, period_s_)) : event_text(event));
   }
   void sum_up(const Recording& recording, const ident::MonitorReport<float>& report,
-              double worst_step_us) const {
+              double worst_step_us, const std::string& ladder) const {
     print(json_ ? json_line(summary_json(recording.size(), report, worst_step_us))
-                : summary_text(recording, report, worst_step_us));
+                : summary_text(recording, report, worst_step_us, ladder));
   }
 
  private:
@@ -87,7 +89,8 @@ class Narrator {
 
   [[nodiscard]] static std::string summary_text(const Recording& recording,
                                                 const ident::MonitorReport<float>& report,
-                                                double worst_step_us) {
+                                                double worst_step_us,
+                                                const std::string& ladder) {
     std::string text = '\n' + recording.name + ": " + std::to_string(recording.size()) +
                        " samples, " + std::to_string(report.counters.evaluations) +
                        " windows evaluated\n" + std::string(headline_of(report)) + '\n';
@@ -99,9 +102,9 @@ class Narrator {
       text += wrapped("The model lacks something: " + std::string(suspect) +
                           " would explain " +
                           fixed(static_cast<double>(report.gap.share_of_error) * 100, 0) +
-                          " % of its error. Try: stickband ladder " + recording.name,
+                          " % of its error. To see what it does:",
                       0) +
-              '\n';
+              "\n  " + ladder + '\n';
     }
     text += std::string("The flag is ") + (report.stiction_raised ? "raised" : "down") +
             ".\nMonitor: " +
@@ -155,7 +158,9 @@ int monitor(const Options& options) {
   finish_steps();
   tell();
   const ident::MonitorReport<float> report = device->report();
-  narrator.sum_up(recording, report, worst_step_us);
+  narrator.sum_up(recording, report, worst_step_us,
+                  "stickband ladder " + file_word(options.source.path) +
+                      option_words(options.source) + " -o " + file_word(next_file("")));
   return report.stiction_raised ? kDone : exit_code_for(report.verdict, report.reason);
 }
 

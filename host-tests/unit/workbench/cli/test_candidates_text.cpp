@@ -84,6 +84,9 @@ TEST(SearchOn, KeepsWhatTheModelHasAndEndsWhereItBegan) {
   EXPECT_EQ(search_on(so_far), "stickband ladder a.csv --with valve.backlash");
   EXPECT_EQ(search_on(so_far, {"sensor.lag", "valve.backlash"}),
             "stickband ladder a.csv --with valve.backlash,sensor.lag");
+  so_far.keep = "my m2.json";
+  EXPECT_EQ(search_on(so_far),
+            "stickband ladder a.csv --with valve.backlash -o \"my m2.json\"");
   so_far.begun_with = {"sensor.lag", "valve.backlash"};
   EXPECT_EQ(search_on(so_far), "");
   EXPECT_EQ(search_on(so_far, {"sensor.lag"}), "");
