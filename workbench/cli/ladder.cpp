@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/analysis/wording.hpp"
@@ -53,17 +54,15 @@ std::string why_it_ended(const LadderResult& result, bool time_was_up,
 }
 
 // Effects that left no trace, less those that a step may be instead.
-std::string never_exercised(const LadderResult& result) {
-  std::string idle;
+std::vector<Candidate> never_exercised(const LadderResult& result) {
+  std::vector<Candidate> idle;
   for (const Candidate& c : result.last.candidates) {
     const bool may_be = std::any_of(
         result.steps.begin(), result.steps.end(), [&](const LadderStep& step) {
           const std::vector<std::string>& group = step.indistinguishable_from;
           return std::find(group.begin(), group.end(), c.effect) != group.end();
         });
-    if (c.status == CandidateStatus::kNotExcited && !may_be) {
-      idle += (idle.empty() ? "" : ", ") + c.effect;
-    }
+    if (c.status == CandidateStatus::kNotExcited && !may_be) idle.push_back(c);
   }
   return idle;
 }
@@ -115,10 +114,8 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   const std::string mind = caution_text(result.model, result.quality.fit_percent,
                                         result.last.left_to_controller);
   if (!mind.empty()) text += '\n' + mind;
-  const std::string idle = never_exercised(result);
-  if (!idle.empty()) {
-    text += '\n' + wrapped("Never exercised by this recording: " + idle + ".", 0) + '\n';
-  }
+  const std::string idle = candidates_text(never_exercised(result));
+  if (!idle.empty()) text += "\nNever exercised by this recording:\n" + idle;
   return text + '\n' + kept;
 }
 
