@@ -38,6 +38,21 @@ void conclude_on_member(Trial& trial, const Trial& whole) {
       {number(trial.candidate.error_reduction_percent, 3), name_of(whole)});
 }
 
+// Of a member that does not show alone, though the recording shows what it belongs to.
+void conclude_on_unseen_member(Trial& trial, const Trial& whole) {
+  const CandidateStatus status = trial.candidate.status;
+  const bool unseen =
+      status == CandidateStatus::kNotExcited || status == CandidateStatus::kRejected;
+  if (!unseen || !is_member(trial, whole)) return;
+  std::string others;
+  for (const Effect* member : members_of(whole)) {
+    if (member == trial.effect) continue;
+    others += (others.empty() ? "" : ", ") + std::string(member->code());
+  }
+  trial.candidate.status = CandidateStatus::kUndecided;
+  trial.candidate.evidence = filled("It shows only together with {0}.", {others});
+}
+
 // What the readings themselves show, whatever the model.
 bool is_fact(const Trial& trial) {
   return accepted(trial) && trial.own && trial.partner == nullptr &&
@@ -301,7 +316,10 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   for (Trial& trial : trials) {
     if (&trial == best) continue;
     if (may_slip(fitter, *best, trial)) slipping = &trial;
-    if (!accepted(trial)) continue;
+    if (!accepted(trial)) {
+      conclude_on_unseen_member(trial, *best);
+      continue;
+    }
     if (is_in_group(fitter, *best, trial) || &trial == slipping) {
       group.push_back(&trial);
     } else if (!is_fact(trial)) {

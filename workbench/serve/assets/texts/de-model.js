@@ -63,6 +63,7 @@ export default {
   'All values of the output lie on {0} levels, {1} y apart.': 'Alle Werte des Ausgangs liegen auf {0} Stufen im Abstand {1} y.',
   'Alone it would take away {0} % of the squared error, but {1} explains it better and leaves nothing for it.': 'Allein nähme es {0} % des quadratischen Fehlers weg, aber {1} erklärt ihn besser und lässt nichts dafür übrig.',
   'Alone it would take away {0} % of the squared error; the pair {1} explains more.': 'Allein nähme es {0} % des quadratischen Fehlers weg; mehr erklärt das Paar: {1}.',
+  'It shows only together with {0}.': 'Zu sehen ist es nur zusammen mit {0}.',
   'Alone it would take away {0} % of the squared error; {1} together explain more.': 'Allein nähme es {0} % des quadratischen Fehlers weg; {1} zusammen erklären mehr.',
   'Alone it would take away {0} % of the squared error, but {1} is seen in the readings themselves; ask again when that is in the model.': 'Allein nähme es {0} % des quadratischen Fehlers weg, aber {1} ist an den Messwerten selbst zu sehen; fragen Sie noch einmal, wenn das im Modell ist.',
   'Alone it would take away {0} % of the squared error, but {1} explains it better; ask again when that is in the model.': 'Allein nähme es {0} % des quadratischen Fehlers weg, aber {1} erklärt ihn besser; fragen Sie noch einmal, wenn das im Modell ist.',

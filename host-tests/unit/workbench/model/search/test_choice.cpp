@@ -50,6 +50,38 @@ TEST(Choice, TheTwoOfTheBestPairAreToldThatTheyAreOne) {
   }
 }
 
+// The recording showed them in the pair: it exercised both.
+TEST(Choice, AMemberOfTheBestPairThatDoesNotShowAloneSaysWithWhat) {
+  test::SetpointLoop loop;
+  loop.delay = 8;
+  loop.load = [](std::size_t k) { return k >= 600 ? 3.0 : 0.0; };
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& delay = effects::process_dead_time();
+  const Effect& step = effects::disturbance_step();
+  const Effect& limit = effects::valve_saturation();
+  const Fit one = fitter.extend(fitter.start({}), delay, Effort::kThorough).value();
+  const Fit both = fitter.extend(one, step, Effort::kThorough).value();
+  std::vector<Trial> trials;
+  for (const Effect* effect : {&delay, &step, &limit}) {
+    trials.push_back(accepted_trial(*effect, nullptr, both));
+    trials.back().candidate.evidence = "It would not show.";
+  }
+  trials[0].candidate.status = CandidateStatus::kRejected;
+  trials[1].candidate.status = CandidateStatus::kNotExcited;
+  trials[2].candidate.status = CandidateStatus::kNotExcited;
+  trials.push_back(accepted_trial(step, &delay, both));
+  ASSERT_EQ(choose(fitter, trials), &trials[3]);
+  EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kUndecided);
+  EXPECT_EQ(trials[0].candidate.evidence,
+            "It shows only together with disturbance.step.");
+  EXPECT_EQ(trials[1].candidate.status, CandidateStatus::kUndecided);
+  EXPECT_EQ(trials[1].candidate.evidence,
+            "It shows only together with process.dead_time.");
+  EXPECT_EQ(trials[2].candidate.status, CandidateStatus::kNotExcited);
+  EXPECT_EQ(trials[2].candidate.evidence, "It would not show.");
+}
+
 // What the readings themselves show comes first, but not before what explains nearly all.
 TEST(Choice, AFactMakesRoomForWhatExplainsNearlyAll) {
   test::SetpointLoop loop;
