@@ -183,7 +183,8 @@ std::string step_figure(const ReportData& data) {
   const Simulation& s = data.simulation;
   const Identification& r = data.analysis.result();
   if (s.y_two_path.empty()) return {};
-  const StepResponse two_path = two_path_step(r, stem_scale(r.model, s), s);
+  const StemScale scale = stem_scale(r.model, s);
+  const StepResponse two_path = two_path_step(r, scale, s);
   if (two_path.t.size() < 2) return {};
   const double length = two_path.t.back();
   const TimeUnit unit = time_unit_for(length);
@@ -204,8 +205,11 @@ std::string step_figure(const ReportData& data) {
     add("true process", Ink::kTruth, true_step(*data.truth->process, s.period_s, length),
         Stroke::kBroad);
   }
-  add("behind the physical valve", Ink::kValve, valve_step(r, s, length), Stroke::kSolid);
-  add("behind the two-path model", Ink::kTwoPath, two_path, Stroke::kSolid);
+  const StepResponse of_valve = valve_step(r, s, length);
+  add("behind the physical valve", Ink::kValve, of_valve, Stroke::kSolid);
+  if (scale.is_told() || of_valve.t.empty()) {
+    add("behind the two-path model", Ink::kTwoPath, two_path, Stroke::kSolid);
+  }
   return figure(plot,
                 "The process alone, without valve and controller: y after the stem moves "
                 "by one unit of u.");

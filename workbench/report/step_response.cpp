@@ -51,14 +51,17 @@ StemScale stem_scale(const ident::TwoPathModel<double>& model,
     mean_stem += stem[i] / n;
   }
   double both = 0;
+  double stem_square = 0;
   double square = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     both += (x[i] - mean_x) * (stem[i] - mean_stem);
     square += (x[i] - mean_x) * (x[i] - mean_x);
+    stem_square += (stem[i] - mean_stem) * (stem[i] - mean_stem);
   }
   StemScale out;
   out.scale = square > 0 ? both / square : 0;
   out.shift = mean_stem - out.scale * mean_x;
+  out.r_squared = stem_square > 0 ? out.scale * both / stem_square : 0;
   return out;
 }
 

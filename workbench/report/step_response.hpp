@@ -20,6 +20,9 @@ struct StepResponse {
 struct StemScale {
   double scale = 1;
   double shift = 0;
+  double r_squared = 1;  ///< of the stem's motion that of the model explains
+  /// Enough to tell how far the stem moves for one of x.
+  [[nodiscard]] bool is_told() const { return r_squared > 0.5; }
 };
 [[nodiscard]] StemScale stem_scale(const ident::TwoPathModel<double>& model,
                                    const Simulation& simulation);

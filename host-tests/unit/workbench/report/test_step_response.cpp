@@ -56,6 +56,18 @@ TEST(ReportStepResponse, IsInUnitsOfUWhateverTheModelsOwnMeasure) {
   EXPECT_EQ(step.t[1], 0.5);
 }
 
+TEST(ReportStepResponse, TellsWhetherTheModelMovesAsTheStemDoes) {
+  Simulation s = triangle();
+  EXPECT_NEAR(stem_scale(known_model().model, s).r_squared, 1, 1e-9);
+  EXPECT_TRUE(stem_scale(known_model().model, s).is_told());
+  s.stem = s.u;
+  for (std::size_t i = 0; i < s.stem.size(); ++i) s.stem[i] += i < 100 ? 0 : 40;
+  const StemScale scale = stem_scale(known_model().model, s);
+  EXPECT_GT(scale.r_squared, 0);
+  EXPECT_LT(scale.r_squared, 0.1);
+  EXPECT_FALSE(scale.is_told());
+}
+
 TEST(ReportStepResponse, OfAKnownProcess) {
   const StepResponse step = true_step({2, 10, 0, 1, false}, 0.5, 60);
   EXPECT_EQ(step.y.front(), 0);
