@@ -17,7 +17,7 @@ std::string_view headline(ident::Verdict verdict, ident::Reason reason,
       return "The valve has play (backlash).";
     case ident::Verdict::kNoStiction:
       if (reason == ident::Reason::kNotTheValve) {
-        return "Nothing says that the valve makes this loop oscillate.";
+        return "Nothing says that the valve causes what is seen.";
       }
       return detectable_band > 0 ? "The valve does not stick."
                                  : "Nothing speaks for a sticking valve.";
@@ -85,8 +85,8 @@ std::string_view advice_on(ident::Reason reason, bool slips) {
              "disturbances from other loops.";
     case Reason::kNotTheValve:
       return "Look for the cause elsewhere first: the tuning, another loop with the same "
-             "period, or a periodic load. Whether the valve sticks as well shows once "
-             "that is gone, or by small steps of the controller output in manual.";
+             "period, or a periodic load. Small steps of the controller output in manual "
+             "tell whether the valve sticks as well; one that answers none is stuck.";
     case Reason::kNone:
     case Reason::kConstant:
     case Reason::kTooShort:

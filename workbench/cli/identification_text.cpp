@@ -87,9 +87,9 @@ std::string oscillation_text(const Identification& r, double period_s) {
   if (!r.oscillation.detected) {
     return "none seen in u (regularity " + fixed(r.oscillation.regularity, 1) + ")";
   }
-  return "period " + duration(r.oscillation.period_samples * period_s) + ", regularity " +
-         fixed(r.oscillation.regularity, 1) + " (above 1 is regular), " +
-         fixed(r.cycles, 0) + " cycles";
+  return "of u, period " + duration(r.oscillation.period_samples * period_s) + ", " +
+         fixed(r.cycles, 0) + " cycles, regularity " +
+         fixed(r.oscillation.regularity, 1) + " (regular above 1)";
 }
 
 std::string fit_text(const Identification& r) {

@@ -54,7 +54,7 @@ std::string valve_tiles(const ReportData& data) {
   }
   const auto& o = r.oscillation;
   out += o.detected
-             ? tile("Oscillation period",
+             ? tile("Oscillation period of u",
                     duration(o.period_samples * data.analysis.period_s()),
                     fixed(r.cycles, 0) + " cycles, regularity " + fixed(o.regularity, 1))
              : tile("Oscillation", "none", "regularity " + fixed(o.regularity, 1));

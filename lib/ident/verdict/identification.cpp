@@ -36,8 +36,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "A small stick band was found, too small against the swing of the controller "
      "output to matter."},
     {Reason::kNotTheValve,
-     "The loop oscillates, but no valve, sticking or not, explains it from the "
-     "controller output: look at the tuning, other loops and the sensor first."},
+     "The controller output swings, but no valve, sticking or not, explains the process "
+     "output from it: look at the tuning, other loops and the sensor first."},
     {Reason::kConstant,
      "A signal does not move: record the loop while it is in automatic and "
      "oscillating."},

@@ -105,7 +105,7 @@ function card(valve, recording, sayOpens) {
   if (valve.cause) why.append(element('p', {textContent: translated(valve.cause)}));
   const o = valve.identification.oscillation;
   why.append(element('p', {className: 'fine'}, seen(valve) + ' ' + (o.detected
-    ? say('Oscillation: period {0}, {1} cycles.', duration(o.period_s), Math.round(o.cycles))
+    ? say('Oscillation of u: period {0}, {1} cycles.', duration(o.period_s), Math.round(o.cycles))
     : say('No oscillation is seen in u.'))), ...direction(valve, sayOpens));
   return [said, element('div', {className: 'pictures'}, ...pictures(valve, recording)), why];
 }

@@ -31,7 +31,7 @@ TEST(Wording, SaysNoMoreOfAFineValveThanWasSeen) {
   EXPECT_EQ(said(Reason::kLinearExplains, 1), "The valve does not stick.");
   EXPECT_EQ(said(Reason::kLinearExplains, 0), "Nothing speaks for a sticking valve.");
   EXPECT_EQ(said(Reason::kNotTheValve, 1),
-            "Nothing says that the valve makes this loop oscillate.");
+            "Nothing says that the valve causes what is seen.");
   EXPECT_EQ(advice(Reason::kLinearExplains, Cause::kUnknown, 0, false).find("Leave"),
             std::string_view::npos);
 }

@@ -283,7 +283,7 @@ export default {
   'none': 'keine',
   'Notes': 'Anmerkungen',
   'Oscillation': 'Schwingung',
-  'Oscillation period': 'Schwingungsperiode',
+  'Oscillation period of u': 'Schwingungsperiode von u',
   'period, s': 'Periode, s',
   'phase between {0} and {1} of the cycle (0: u turns up, 0.5: u turns down)': 'Phase zwischen {0} und {1} des Zyklus (0: u kehrt nach oben, 0,5: nach unten)',
   'physical valve': 'physikalisches Ventil',
