@@ -59,7 +59,7 @@ std::string detectable_text(const Analysis& analysis) {
 std::string windows_table(const Analysis& analysis) {
   if (analysis.windows() < 2) return {};
   std::string text =
-      "  recording from, s    to, s      nats      verdict     stick band up\n" +
+      "  recording from, s    to, s      evidence  verdict     stick band up\n" +
       std::string(kBands, ' ') + "and down\n";
   const double period_s = analysis.period_s();
   for (const WindowFinding& window : analysis.findings()) {
@@ -79,7 +79,11 @@ std::string windows_table(const Analysis& analysis) {
   const std::string nats = together.predicted == 0 ? "none counts"
                            : together.nats > 0     ? fixed(together.nats, 1)
                                                    : "for no stick band";
-  return text + "  together" + std::string(24, ' ') + nats + "\n\n";
+  return text + "  all of them" + std::string(21, ' ') + nats + "\n\n" +
+         line("Evidence",
+              "how much better a sticking valve foretells y than one that follows u, in "
+              "nats: 0 or below is no better, 10 is beyond chance. The verdict weighs "
+              "what else looks alike, too.");
 }
 
 std::string oscillation_text(const Identification& r, double period_s) {
