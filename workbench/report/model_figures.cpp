@@ -265,6 +265,15 @@ std::string title_of(std::string_view effect) {
   return std::string(known != nullptr ? known->description().title : effect);
 }
 
+std::string titled(const std::vector<std::string>& effects, std::string_view last_word) {
+  std::string out;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    if (i > 0) out += i + 1 < effects.size() ? ", " : last_word;
+    out += title_of(effects[i]);
+  }
+  return out;
+}
+
 std::string output_unit(const ModelReport& report) {
   const std::string& unit = report.recording.unit(report.model.output);
   return unit.empty()

@@ -22,6 +22,10 @@ struct ModelReport {
 /// "stiction" for an effect's code; the code itself where the catalogue lacks it.
 [[nodiscard]] std::string title_of(std::string_view effect);
 
+/// Those of several codes: "a", "a and b", "a, b and c" where `last_word` is " and ".
+[[nodiscard]] std::string titled(const std::vector<std::string>& effects,
+                                 std::string_view last_word);
+
 /// The output's unit as the file names it, or "units of y".
 [[nodiscard]] std::string output_unit(const ModelReport& report);
 

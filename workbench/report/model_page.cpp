@@ -2,6 +2,7 @@
 
 #include "workbench/analysis/wording.hpp"
 #include "workbench/model/tell/reconciled.hpp"
+#include "workbench/report/model_headline.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/valve_parts.hpp"

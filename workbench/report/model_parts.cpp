@@ -13,28 +13,13 @@
 #include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/report/model_headline.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/svg_plot.hpp"
 #include "workbench/report/texts.hpp"
 
 namespace workbench {
 namespace {
-
-// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& items, const char* last_word) {
-  std::string out;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) out += i + 1 < items.size() ? ", " : last_word;
-    out += items[i];
-  }
-  return out;
-}
-
-std::vector<std::string> titles_of(const std::vector<std::string>& codes) {
-  std::vector<std::string> out;
-  for (const std::string& code : codes) out.push_back(title_of(code));
-  return out;
-}
 
 std::string fall(double before, double after) {
   if (!(before > 0)) return {};
@@ -49,7 +34,7 @@ std::string cannot_tell(const Candidate& c) {
   return filled(c.with.empty()
                     ? "This recording cannot tell it from {0}."
                     : "One of them may as well be {0}: this recording cannot tell.",
-                {listed(titles_of(c.indistinguishable_from), " or ")}) +
+                {titled(c.indistinguishable_from, " or ")}) +
          (!c.would_split ? ""
           : c.would_split->ends_with('?')
               ? filled(" What would: {0}", {*c.would_split})
@@ -80,6 +65,7 @@ std::string story(const ModelReport& report) {
       comparison.effects.empty()
           ? "The model is a first-order process behind a valve that follows u. "
           : "";
+  if (report.explanation.left_to_controller) return found;
   if (report.explanation.explained) return found + left;
   const Candidate* doubt = report.explanation.closest();
   return found + left +
@@ -135,16 +121,19 @@ std::string curve_row(const EffectTerm& term) {
 }
 
 std::string candidate_item(const Candidate& c) {
-  const std::vector<std::string> codes = members_of(c);
   std::string effects = c.effect;
-  for (const std::string& partner : c.with) effects += '\n' + partner;
+  std::string codes = c.effect;
+  for (const std::string& partner : c.with) {
+    effects += '\n' + partner;
+    codes += " with " + partner;
+  }
   std::string out =
       "<li data-effects=\"" + escaped(effects) + "\"><h3><span class=\"badge " +
       std::string(name_of(c.status)) + "\">" +
       (c.status == CandidateStatus::kNotExcited ? "not excited"
                                                 : std::string(name_of(c.status))) +
-      "</span>" + escaped(capitalised(listed(titles_of(codes), " with "))) + "<code>" +
-      escaped(listed(codes, " with ")) + "</code></h3><p>" + escaped(c.evidence);
+      "</span>" + escaped(capitalised(titled(members_of(c), " with "))) + "<code>" +
+      escaped(codes) + "</code></h3><p>" + escaped(c.evidence);
   if (c.rmse_validation_after < c.rmse_validation_before) {
     out += filled(
         " Validation error {0} to {1}, which takes away {2} % of the squared error.",
@@ -161,25 +150,6 @@ std::string in_units(const ModelReport& report, double refitted, double noise) {
   std::string out = output_unit(report);
   if (refitted > 0) out = filled("{0}, {1} after a refit", {out, number(refitted, 3)});
   if (noise > 0) out = filled("{0}, noise about {1}", {out, number(noise, 3)});
-  return out;
-}
-
-// The effects of the model, and what their addition speaks for.
-struct Told {
-  std::vector<std::string> found;
-  std::vector<std::string> doubtful;
-  std::vector<std::string> harmful;
-};
-
-Told told_of(const ModelReport& report) {
-  Told out;
-  for (const std::string& code : report.comparison.effects) {
-    const HistoryStep* harm = harm_of(report.model, code);
-    (harm == nullptr      ? out.found
-     : is_in_doubt(*harm) ? out.doubtful
-                          : out.harmful)
-        .push_back(title_of(code));
-  }
   return out;
 }
 
@@ -214,52 +184,6 @@ std::string_view remark_on(const EffectTerm& term) {
 }
 
 }  // namespace
-
-std::string model_headline(const ModelReport& report) {
-  const Candidate* missing = report.explanation.best();
-  if (missing != nullptr && is_beside_the_point(*missing)) {
-    return capitalised(
-        filled("The readings show {0}, but hardly any of the error is its doing.",
-               {title_of(missing->effect)}));
-  }
-  if (missing != nullptr) {
-    return "The model still lacks " + listed(titles_of(members_of(*missing)), " and ") +
-           ".";
-  }
-  if (report.explanation.left_to_controller) {
-    return "Nothing but the controller moves u: what the process makes of it is not "
-           "told.";
-  }
-  if (says_hardly_anything(report.comparison.quality.fit_percent)) {
-    return "From u alone the model says hardly anything about the output.";
-  }
-  const auto [found, doubtful, harmful] = told_of(report);
-  const std::string what = listed(found, " and ");
-  if (!doubtful.empty() || !harmful.empty()) {
-    std::vector<std::string> parts;
-    if (!found.empty()) parts.push_back(filled("Found: {0}.", {what}));
-    if (!doubtful.empty()) {
-      parts.push_back(filled("In doubt: {0}.", {listed(doubtful, " and ")}));
-    }
-    if (!harmful.empty()) {
-      parts.push_back(
-          capitalised(filled("{0} made the error larger.", {listed(harmful, " and ")})));
-    }
-    std::string out;
-    for (const std::string& part : parts) out += (out.empty() ? "" : " ") + part;
-    return out;
-  }
-  if (report.lacks_stem) {
-    return "The verdict on the valve finds a stem that does not follow u, and the model "
-           "has none.";
-  }
-  if (report.explanation.explained) {
-    return found.empty() ? "The model is complete: nothing is missing."
-                         : "The model is complete: explained by " + what + ".";
-  }
-  return found.empty() ? "Something is missing, but the data do not tell what."
-                       : "Found: " + what + ". Something is left unexplained.";
-}
 
 std::string model_verdict(const ModelReport& report) {
   std::vector<Remark> remarks = {{"", story(report)}};
@@ -335,9 +259,9 @@ std::string model_tiles(const ModelReport& report) {
     out += tile("Since the start", fall(start, history.back().rmse_validation_after),
                 "validation error, from " + number(start, 3));
   }
-  out += tile("Effects in the model", std::to_string(comparison.effects.size()),
-              comparison.effects.empty() ? "a textbook model"
-                                         : listed(titles_of(comparison.effects), ", "));
+  out += tile(
+      "Effects in the model", std::to_string(comparison.effects.size()),
+      comparison.effects.empty() ? "a textbook model" : titled(comparison.effects, ", "));
   return tile_row(out);
 }
 

@@ -7,10 +7,6 @@
 
 namespace workbench {
 
-/// The state of the model in one sentence: what is missing, what was found, or that the
-/// data do not tell. Plain text.
-[[nodiscard]] std::string model_headline(const ModelReport& report);
-
 // Each returns HTML.
 
 /// The box of the headline, with evidence, group, cure and the worst place.

@@ -57,22 +57,26 @@ bool is_jumpy_load(const Trial& trial) {
   return trial.effect->description().is_load() && is_jumpy(trial);
 }
 
+// One of every effect that `base` lacks.
+std::vector<Trial> trials_of(const Fit& base, const Catalogue& catalogue, bool blind) {
+  std::vector<Trial> trials;
+  for (const Effect* effect : catalogue.effects()) {
+    if (contains(base.effects, *effect)) continue;
+    Trial& trial = trials.emplace_back();
+    trial.effect = effect;
+    trial.left_to_controller = blind && effect->description().needs_u;
+  }
+  return trials;
+}
+
 // Fits every effect that `base` lacks, `blind` none that is told from u; the promising
 // ones to the end.
 std::vector<Trial> screen(const Fitter& fitter, const Fit& base,
                           const Catalogue& catalogue, const ExplainProgress& progress,
                           double hopeless_above, bool blind) {
-  std::vector<const Effect*> missing;
-  for (const Effect* effect : catalogue.effects()) {
-    if (!contains(base.effects, *effect)) missing.push_back(effect);
-  }
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  std::vector<Trial> trials(missing.size());
-  std::vector<ScreenedStarts> seen(missing.size());
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    trials[i].effect = missing[i];
-    trials[i].left_to_controller = blind && missing[i]->description().needs_u;
-  }
+  std::vector<Trial> trials = trials_of(base, catalogue, blind);
+  std::vector<ScreenedStarts> seen(trials.size());
   const auto seen_of = [&](const Trial& trial) -> ScreenedStarts& {
     return seen[static_cast<std::size_t>(&trial - trials.data())];
   };

@@ -18,4 +18,12 @@ bool is_left_to_controller(const Fitter& fitter, const Fit& base,
   return !is_fault(identified.result(fitter.work()).verdict);
 }
 
+void leave_to_controller(Candidate& candidate) {
+  candidate.status = CandidateStatus::kNotExcited;
+  candidate.evidence =
+      "In this recording nothing but the controller moves u, so that what the process "
+      "makes of u is not told from what the controller makes of y; change the setpoint a "
+      "few times, or move u by hand.";
+}
+
 }  // namespace workbench

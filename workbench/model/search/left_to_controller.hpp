@@ -2,6 +2,7 @@
 #pragma once
 
 #include "workbench/model/fit/fit.hpp"
+#include "workbench/model/search/explain.hpp"
 #include "workbench/model/search/identified.hpp"
 
 namespace workbench {
@@ -12,5 +13,8 @@ namespace workbench {
 /// `identified` only where u follows the law. Throws as Work::check().
 [[nodiscard]] bool is_left_to_controller(const Fitter& fitter, const Fit& base,
                                          Identified& identified);
+
+/// Not excited, and why.
+void leave_to_controller(Candidate& candidate);
 
 }  // namespace workbench

@@ -9,6 +9,7 @@
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/off_profile.hpp"
 #include "workbench/model/judge/untold_instant.hpp"
+#include "workbench/model/search/left_to_controller.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -359,14 +360,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
     c.evidence = "The time was up before it was tried.";
     return;
   }
-  if (trial.left_to_controller) {
-    c.status = CandidateStatus::kNotExcited;
-    c.evidence =
-        "In this recording nothing but the controller moves u, so that what the process "
-        "makes of u is not told from what the controller makes of y; change the setpoint "
-        "a few times, or move u by hand.";
-    return;
-  }
+  if (trial.left_to_controller) return leave_to_controller(c);
   if (!trial.fit) {
     c.status = CandidateStatus::kRejected;
     c.evidence = "Nothing in the recording looks like it.";

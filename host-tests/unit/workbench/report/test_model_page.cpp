@@ -4,6 +4,7 @@
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/model/search/ladder.hpp"
+#include "workbench/report/model_headline.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/model_parts.hpp"
 #include "workbench/report/svg_plot.hpp"

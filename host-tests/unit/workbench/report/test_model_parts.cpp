@@ -56,19 +56,6 @@ TEST_F(ModelParts, SayWhatWouldTellAGroupApart) {
   EXPECT_TRUE(part_says(verdict, "log the stem position"));
 }
 
-TEST_F(ModelParts, CallNoModelCompleteThatLacksAStem) {
-  ExplainResult result;
-  result.explained = true;
-  ModelReport told = report(result);
-  told.comparison.quality.fit_percent = 80;
-  EXPECT_EQ(model_headline(told), "The model is complete: nothing is missing.");
-  told.lacks_stem = true;
-  EXPECT_EQ(model_headline(told),
-            "The verdict on the valve finds a stem that does not follow u, and the model "
-            "has none.");
-  EXPECT_FALSE(part_says(model_verdict(told), "good"));
-}
-
 TEST_F(ModelParts, KnowNoNoiseBeforeItWasEstimatedNorAboveWhatAModelReaches) {
   EXPECT_EQ(noise_floor(report({})), 0);
   EXPECT_FALSE(part_says(model_tiles(report({})), "noise"));
