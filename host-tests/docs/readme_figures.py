@@ -47,6 +47,8 @@ def table(root):
         "Loops whose valve follows, under a load that comes back at its own time", "all")[:2]
     any_n, any_false = scores.row(
         "Loops whose valve follows, under a load that is switched at any time", "all")[:2]
+    blind_n, _, blind_false = scores.row(
+        "Nothing but the controller moves u: what explain names", "all")[:3]
     right = [tuple(map(int, pair)) for pair in
              re.findall(r"^(\d+) of (\d+)(?: loops)? right$", scores.text, re.MULTILINE)]
     if len(right) != 2:
@@ -74,6 +76,8 @@ def table(root):
         "| recordings of plants with a published cause "
         f"| {sum(r for r, _ in right)} of {sum(n for _, n in right)} | {len(called)} |",
         f"| one hidden effect of a simulated loop named first | {named} % | {wrong} % |",
+        "| … where nothing but the controller moves u, and so none can be told "
+        f"| | {blind_false} of {blind_n} |",
         f"| one place of the device's code changed: tests notice | {noticed} | |",
         f"| branches of the device's code that unit tests take | {taken} | |",
     ]

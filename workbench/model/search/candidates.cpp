@@ -261,7 +261,8 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
                     double hopeless_above) {
   Exploration out;
   out.base = start;
-  const bool blind = is_left_to_controller(fitter, start, identified);
+  const Told told = told_between(fitter, start, identified);
+  const bool blind = told == Told::kNothing;
   std::vector<Trial> trials =
       screen(fitter, out.base, catalogue, progress, hopeless_above, blind);
   try {
@@ -306,6 +307,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
       end_in_time();
     }
   }
+  if (told == Told::kStemsFirst) let_stems_come_first(trials);
   leave_fitted_only_open(fitter, out.base, trials);
   leave_outdone_open(trials);
   leave_untold_loads_open(fitter, trials);

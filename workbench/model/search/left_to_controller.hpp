@@ -1,20 +1,34 @@
 // Whether a recording says anything of what lies between u and y.
 #pragma once
 
+#include <vector>
+
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/search/explain.hpp"
 #include "workbench/model/search/identified.hpp"
+#include "workbench/model/search/trial.hpp"
 
 namespace workbench {
 
-/// (W31) True where nothing but the controller moves u (controller_law.hpp), neither the
-/// identification finds a valve that makes the loop cycle nor `base` has a recorded load:
-/// what the process makes of u is then not told from what the controller makes of y. Asks
+/// What a recording tells of what lies between u and y.
+enum class Told {
+  kAll,
+  kStemsFirst,  ///< a stem, and the rest once that is in the model
+  kNothing,
+};
+
+/// (W31) Where nothing but the controller moves u (controller_law.hpp), what the process
+/// makes of u is not told from what the controller makes of y, unless the identification
+/// finds a valve that makes the loop cycle, or `base` has a recorded load. Asks
 /// `identified` only where u follows the law. Throws as Work::check().
-[[nodiscard]] bool is_left_to_controller(const Fitter& fitter, const Fit& base,
-                                         Identified& identified);
+[[nodiscard]] Told told_between(const Fitter& fitter, const Fit& base,
+                                Identified& identified);
 
 /// Not excited, and why.
 void leave_to_controller(Candidate& candidate);
+
+/// Leaves undecided what was accepted between u and y without a stem, where stems come
+/// first.
+void let_stems_come_first(std::vector<Trial>& trials);
 
 }  // namespace workbench

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
@@ -23,34 +24,54 @@ SetpointLoop under_a_load() {
   return loop;
 }
 
-bool left_to_controller(const Recording& recording,
-                        const std::vector<const Effect*>& effects = {}) {
+Told told_by(const Recording& recording, const std::vector<const Effect*>& effects = {}) {
   const Fitter fitter(recording, Column::y);
   Identified identified({recording});
-  return is_left_to_controller(fitter, fitter.start(effects), identified);
+  return told_between(fitter, fitter.start(effects), identified);
 }
 
-TEST(LeftToController, ALoadAloneTellsNothingOfTheProcess) {
-  EXPECT_TRUE(left_to_controller(simulated(under_a_load())));
-}
-
-TEST(LeftToController, SetpointsAndAHandTell) {
-  EXPECT_FALSE(left_to_controller(simulated(SetpointLoop{})));
-  const std::vector<double> levels = {40, 55, 45, 60, 50};
-  EXPECT_FALSE(left_to_controller(test::stepped(levels, [](double u) { return u; })));
-}
-
-TEST(LeftToController, AValveThatMakesTheLoopCycleTells) {
+// Its valve keeps it cycling once it was pushed.
+SetpointLoop with_a_sticking_valve() {
   SetpointLoop loop;
   loop.setpoint_moves = false;
   loop.samples = 2400;
-  loop.load = [](std::size_t k) { return k < 60 ? 8.0 : 0.0; };  // sets it going
+  loop.load = [](std::size_t k) { return k < 60 ? 8.0 : 0.0; };
   loop.valve = [x = 50.0](double u) mutable {
     const double pull = u - x;
     if (std::abs(pull) > 3) x = u - std::copysign(1, pull);
     return x;
   };
-  EXPECT_FALSE(left_to_controller(simulated(loop)));
+  return loop;
+}
+
+TEST(LeftToController, ALoadAloneTellsNothingOfTheProcess) {
+  EXPECT_EQ(told_by(simulated(under_a_load())), Told::kNothing);
+}
+
+TEST(LeftToController, SetpointsAndAHandTell) {
+  EXPECT_EQ(told_by(simulated(SetpointLoop{})), Told::kAll);
+  const std::vector<double> levels = {40, 55, 45, 60, 50};
+  EXPECT_EQ(told_by(test::stepped(levels, [](double u) { return u; })), Told::kAll);
+}
+
+TEST(LeftToController, AValveThatMakesTheLoopCycleComesFirst) {
+  const Recording recording = simulated(with_a_sticking_valve());
+  EXPECT_EQ(told_by(recording), Told::kStemsFirst);
+  EXPECT_EQ(told_by(recording, {&effects::valve_stiction()}), Told::kAll);
+}
+
+TEST(LeftToController, WithoutAStemWhatLiesBetweenIsLeftOpen) {
+  std::vector<Trial> trials(3);
+  trials[0].effect = &effects::process_dead_time();
+  trials[1].effect = &effects::process_dead_time();
+  trials[1].partner = &effects::valve_stiction();
+  trials[2].effect = &effects::disturbance_ramp();
+  for (Trial& trial : trials) trial.candidate.status = CandidateStatus::kAccepted;
+  let_stems_come_first(trials);
+  EXPECT_FALSE(accepted(trials[0]));
+  EXPECT_NE(trials[0].candidate.evidence.find("finds a stem"), std::string::npos);
+  EXPECT_TRUE(accepted(trials[1]));
+  EXPECT_TRUE(accepted(trials[2])) << "a load is not between u and y";
 }
 
 TEST(LeftToController, ARecordedLoadTells) {
@@ -65,7 +86,7 @@ TEST(LeftToController, ARecordedLoadTells) {
     return effect->description().recorded;
   });
   ASSERT_NE(found, catalogue.effects().end());
-  EXPECT_FALSE(left_to_controller(recording, {*found}));
+  EXPECT_EQ(told_by(recording, {*found}), Told::kAll);
 }
 
 TEST(LeftToController, NothingBetweenUAndYIsNamed) {
