@@ -6,19 +6,30 @@
 #include "workbench/model/base/controller_law.hpp"
 
 namespace workbench {
+namespace {
+
+bool is_recorded(const Effect* effect) {
+  return effect->description().recorded;
+}
+
+bool is_stem(const Effect* effect) {
+  return effect->description().place == Place::kFriction;
+}
+
+bool is_between(const Effect* effect) {
+  return effect->description().needs_u;
+}
+
+}  // namespace
 
 Told told_between(const Fitter& fitter, const Fit& base, Identified& identified) {
-  const auto has = [&base](bool Description::*what) {
-    return std::ranges::any_of(base.effects, [what](const Effect* effect) {
-      return effect->description().*what;
-    });
-  };
-  if (fitter.output() != Column::y || has(&Description::recorded)) return Told::kAll;
+  const bool is_driven = std::ranges::any_of(base.effects, is_recorded);
+  if (fitter.output() != Column::y || is_driven) return Told::kAll;
   if (!follows_law(law_share(fitter.recording().u, fitter.y(), fitter.pieces()))) {
     return Told::kAll;
   }
   if (!is_fault(identified.result(fitter.work()).verdict)) return Told::kNothing;
-  return has(&Description::sticks) ? Told::kAll : Told::kStemsFirst;
+  return std::ranges::any_of(base.effects, is_stem) ? Told::kAll : Told::kStemsFirst;
 }
 
 void leave_to_controller(Candidate& candidate) {
@@ -32,13 +43,8 @@ void leave_to_controller(Candidate& candidate) {
 void let_stems_come_first(std::vector<Trial>& trials) {
   for (Trial& trial : trials) {
     const std::vector<const Effect*> members = members_of(trial);
-    const auto any = [&members](bool Description::*what) {
-      return std::ranges::any_of(
-          members, [what](const Effect* effect) { return effect->description().*what; });
-    };
-    if (!accepted(trial) || !any(&Description::needs_u) || any(&Description::sticks)) {
-      continue;
-    }
+    const bool between = std::ranges::any_of(members, is_between);
+    if (!accepted(trial) || !between || std::ranges::any_of(members, is_stem)) continue;
     leave_in_doubt(
         trial,
         "nothing but the controller moves u here, and the verdict on the valve "

@@ -25,8 +25,8 @@ bool is_left_to_controller(const Model& model, const Recording& recording) {
   const bool has_other_cause =
       std::ranges::any_of(model.effects, [&catalogue](const EffectTerm& term) {
         const Effect* effect = catalogue.find(term.effect);
-        return effect != nullptr &&
-               (effect->description().sticks || effect->description().recorded);
+        return effect != nullptr && (effect->description().place == Place::kFriction ||
+                                     effect->description().recorded);
       });
   if (model.output != Column::y || has_other_cause) return false;
   std::vector<Piece> pieces = recording.pieces;

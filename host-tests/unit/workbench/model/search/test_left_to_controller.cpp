@@ -61,17 +61,19 @@ TEST(LeftToController, AValveThatMakesTheLoopCycleComesFirst) {
 }
 
 TEST(LeftToController, WithoutAStemWhatLiesBetweenIsLeftOpen) {
-  std::vector<Trial> trials(3);
+  std::vector<Trial> trials(4);
   trials[0].effect = &effects::process_dead_time();
   trials[1].effect = &effects::process_dead_time();
   trials[1].partner = &effects::valve_stiction();
   trials[2].effect = &effects::disturbance_ramp();
+  trials[3].effect = &effects::valve_backlash();
   for (Trial& trial : trials) trial.candidate.status = CandidateStatus::kAccepted;
   let_stems_come_first(trials);
   EXPECT_FALSE(accepted(trials[0]));
   EXPECT_NE(trials[0].candidate.evidence.find("finds a stem"), std::string::npos);
   EXPECT_TRUE(accepted(trials[1]));
   EXPECT_TRUE(accepted(trials[2])) << "a load is not between u and y";
+  EXPECT_TRUE(accepted(trials[3]));
 }
 
 TEST(LeftToController, ARecordedLoadTells) {
