@@ -5,8 +5,8 @@
 //
 // Half of the loops have loads that come back at their own time, half have loads that are
 // switched at any time (clocked_loops.hpp). The valve follows u in all of them. A name is
-// false where it lies between u and y: all dead times and lags that were named in the
-// first hundreds of loops lay beside the true ones, too. Loads and what the record shows
+// false where it lies between u and y: dead times and lags, where they were still named,
+// lay beside the true ones. Loads and what the record shows
 // may be there. The rule that is counted was chosen on seeds from 1001 on.
 #include <cstdio>
 #include <cstdlib>
