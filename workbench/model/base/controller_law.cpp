@@ -1,6 +1,7 @@
 #include "workbench/model/base/controller_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -9,32 +10,11 @@
 namespace workbench {
 namespace {
 
-// Less the straight line that is closest to it.
-void straighten(std::span<double> v) {
-  const auto n = static_cast<double>(v.size());
-  const double middle = (n - 1) / 2;
-  double mean = 0;
-  for (const double value : v) mean += value / n;
-  double tilt = 0;
-  double squares = 0;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    const double at = static_cast<double>(k) - middle;
-    tilt += at * (v[k] - mean);
-    squares += at * at;
-  }
-  const double slope = squares > 0 ? tilt / squares : 0;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    v[k] -= mean + slope * (static_cast<double>(k) - middle);
-  }
-}
+constexpr std::size_t kShortest = 8;  // samples of a stretch that is looked at
 
-// What u, y and the sums and changes of y are, piece after piece.
-struct Signals {
-  std::vector<double> u;
-  std::vector<double> sums;
-  std::vector<double> y;
-  std::vector<double> changes;
-};
+// u, and what it may be made of.
+using Signals = std::array<std::vector<double>, 5>;
+enum Signal : std::size_t { kU, kSum, kLevel, kChange, kTime };
 
 double mean_of(std::span<const double> v) {
   double sum = 0;
@@ -42,63 +22,109 @@ double mean_of(std::span<const double> v) {
   return sum / static_cast<double>(v.size());
 }
 
-Signals levels_of(std::span<const double> u, std::span<const double> y,
-                  std::span<const Piece> pieces) {
-  Signals out{{u.begin(), u.end()},
-              std::vector<double>(u.size()),
-              {y.begin(), y.end()},
-              std::vector<double>(u.size())};
+// Of all samples.
+Signals signals_of(std::span<const double> u, std::span<const double> y,
+                   std::span<const Piece> pieces) {
+  Signals out;
+  out.fill(std::vector<double>(u.size()));
+  out[kU].assign(u.begin(), u.end());
+  out[kLevel].assign(y.begin(), y.end());
   for (const Piece& piece : pieces) {
-    const std::size_t length = piece.last - piece.first;
-    const double mean = mean_of(y.subspan(piece.first, length));
+    const double mean = mean_of(y.subspan(piece.first, piece.last - piece.first));
     double sum = 0;
     for (std::size_t k = piece.first; k < piece.last; ++k) {
       sum += y[k] - mean;
-      out.sums[k] = sum;
-      out.changes[k] = k > piece.first ? y[k] - y[k - 1] : 0;
-    }
-    for (std::vector<double>* signal : {&out.u, &out.sums, &out.y, &out.changes}) {
-      straighten(std::span(*signal).subspan(piece.first, length));
+      out[kSum][k] = sum;
+      out[kChange][k] = k > piece.first ? y[k] - y[k - 1] : 0;
+      out[kTime][k] = static_cast<double>(k - piece.first);
     }
   }
   return out;
 }
 
-// The changes of all, from the second sample of each piece on.
-Signals changes_of(const Signals& levels, std::span<const Piece> pieces) {
-  Signals out;
+// Where u is between its ends.
+std::vector<SampleRange> between_ends(std::span<const double> u,
+                                      std::span<const Piece> pieces) {
+  constexpr std::size_t kStays = 3;
+  const auto [least, most] = std::ranges::minmax(u);
+  std::vector<SampleRange> out;
   for (const Piece& piece : pieces) {
-    for (std::size_t k = piece.first + 1; k < piece.last; ++k) {
-      out.u.push_back(levels.u[k] - levels.u[k - 1]);
-      out.sums.push_back(levels.sums[k] - levels.sums[k - 1]);
-      out.y.push_back(levels.y[k] - levels.y[k - 1]);
-      out.changes.push_back(levels.changes[k] - levels.changes[k - 1]);
+    std::size_t from = piece.first;
+    for (std::size_t k = piece.first; k < piece.last;) {
+      std::size_t end = k + 1;
+      const bool at_end = u[k] == least || u[k] == most;
+      while (at_end && end < piece.last && u[end] == u[k]) ++end;
+      if (end - k >= kStays) {
+        out.push_back({from, k});
+        from = end;
+      }
+      k = end;
+    }
+    out.push_back({from, piece.last});
+  }
+  std::erase_if(
+      out, [](const SampleRange& range) { return range.last < range.first + kShortest; });
+  return out;
+}
+
+// Each stretch less its mean, one behind the other.
+Signals levels_in(const Signals& all, std::span<const SampleRange> stretches) {
+  Signals out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const SampleRange& at : stretches) {
+      const auto values = std::span(all[i]).subspan(at.first, at.last - at.first);
+      const double mean = mean_of(values);
+      for (const double value : values) out[i].push_back(value - mean);
     }
   }
   return out;
+}
+
+// From one sample of a stretch to the next.
+Signals changes_in(const Signals& all, std::span<const SampleRange> stretches) {
+  Signals out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const SampleRange& at : stretches) {
+      for (std::size_t k = at.first + 1; k < at.last; ++k) {
+        out[i].push_back(all[i][k] - all[i][k - 1]);
+      }
+    }
+  }
+  return out;
+}
+
+double squares_left(const Signals& s, std::span<const Signal> by) {
+  const std::vector<Block> rows = {{0, s[kU].size(), true}};
+  std::vector<std::span<const double>> columns;
+  for (const Signal one : by) columns.emplace_back(s[one]);
+  const std::vector<double> c = least_squares(columns, s[kU], rows);
+  std::vector<double> left = s[kU];
+  for (std::size_t i = 0; i < by.size(); ++i) {
+    for (std::size_t k = 0; k < left.size(); ++k) left[k] -= c[i] * columns[i][k];
+  }
+  return sum_of_squares(left, rows);
 }
 
 double share_of(const Signals& s) {
-  const std::vector<Block> rows = {{0, s.u.size(), true}};
-  const double all = sum_of_squares(s.u, rows);
-  if (!(all > 0)) return 0;
-  const std::vector<std::span<const double>> columns = {s.sums, s.y, s.changes};
-  const std::vector<double> c = least_squares(columns, s.u, rows);
-  std::vector<double> left = s.u;
-  for (std::size_t k = 0; k < left.size(); ++k) {
-    left[k] -= c[0] * s.sums[k] + c[1] * s.y[k] + c[2] * s.changes[k];
-  }
-  return 1 - sum_of_squares(left, rows) / all;
+  constexpr std::array kLine = {kTime};
+  constexpr std::array kLaw = {kSum, kLevel, kChange, kTime};
+  const double all = squares_left(s, kLine);
+  return all > 0 ? 1 - squares_left(s, kLaw) / all : 0;
 }
 
 }  // namespace
 
 LawShare law_share(std::span<const double> u, std::span<const double> y,
                    std::span<const Piece> pieces) {
+  constexpr double kFewest = 0.25;  // of the samples
   const auto [least, most] = std::ranges::minmax(u);
   if (least == most) return {};
-  const Signals levels = levels_of(u, y, pieces);
-  return {share_of(levels), share_of(changes_of(levels, pieces))};
+  const std::vector<SampleRange> stretches = between_ends(u, pieces);
+  std::size_t samples = 0;
+  for (const SampleRange& at : stretches) samples += at.last - at.first;
+  if (static_cast<double>(samples) < kFewest * static_cast<double>(u.size())) return {};
+  const Signals all = signals_of(u, y, pieces);
+  return {share_of(levels_in(all, stretches)), share_of(changes_in(all, stretches))};
 }
 
 bool follows_law(const LawShare& share) {

@@ -7,15 +7,17 @@
 
 namespace workbench {
 
-/// Shares of the squares of u, less a straight line in each piece, and of its changes,
-/// that a linear PID controller makes of y: 0 … 1. 0 where u does not move.
+/// Shares of the squares of u, less a straight line, and of its changes, that a linear
+/// PID controller makes of y: 0 … 1. Samples at an end of the way of u, where it stays
+/// for three and more, are left out: a controller that stops there begins anew. 0 where u
+/// does not move, or is elsewhere for less than a quarter of the samples.
 struct LawShare {
   double of_level = 0;
   double of_changes = 0;
 };
 
-/// `u` and `y` of one length, 1 or more; `pieces` cover it, each with a setpoint of its own.
-/// O(samples).
+/// `u` and `y` of one length, 1 or more; `pieces` cover it, each with a setpoint of its
+/// own. O(samples).
 [[nodiscard]] LawShare law_share(std::span<const double> u, std::span<const double> y,
                                  std::span<const Piece> pieces);
 

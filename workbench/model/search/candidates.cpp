@@ -138,6 +138,14 @@ void judge(const Fitter& fitter, const Fit& base, std::vector<Trial>& trials) {
   });
 }
 
+// A stem that slips by nothing, perhaps: the time it slides may be a lag or a dead time.
+bool may_be_play(const Trial& trial) {
+  return trial.effect->description().sticks && trial.partner == nullptr &&
+         std::ranges::any_of(trial.candidate.parameters, [](const Parameter& p) {
+           return p.name.starts_with("slip_jump") && p.low <= 0;
+         });
+}
+
 // Pairs and, where none passes, three together. What is asked for in place of one effect
 // need not be three.
 void add_together(const Fitter& fitter, const Fit& base, double hopeless_above,
@@ -284,9 +292,10 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   });
   judge(fitter, out.base, trials);
   // A white residual has no room for two effects that need each other; and where the best
-  // one leaves little but noise, a second one waits for its turn.
+  // one leaves little but noise, a second one waits for its turn, unless the first may
+  // stand for play and what is slow behind it.
   const auto leaves_noise = [](const Trial& trial) {
-    return accepted(trial) && is_noise(trial.fit->residual);
+    return accepted(trial) && is_noise(trial.fit->residual) && !may_be_play(trial);
   };
   if (!last && fitter.affordable() &&
       std::none_of(trials.begin(), trials.end(), leaves_noise) &&

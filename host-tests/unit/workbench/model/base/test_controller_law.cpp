@@ -1,6 +1,7 @@
 // u against laws known in advance.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -53,6 +54,19 @@ TEST(ControllerLaw, GivesEachPieceASetpointOfItsOwn) {
                                   {.first = 250, .last = kSamples}};
   const std::vector<double> y = pushed();
   EXPECT_NEAR(law_share(answer(y, two), y, two).of_level, 1, 1e-9);
+}
+
+TEST(ControllerLaw, BeginsAnewWhereAControllerStoppedAtALimit) {
+  const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
+  const std::vector<double> y = pushed();
+  std::vector<double> u;
+  double sum = 30;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const double error = 50 - y[k];
+    sum = std::clamp(sum + 0.04 * error, 28.0, 32.0);
+    u.push_back(std::clamp(sum + 0.8 * error, 28.0, 32.0));
+  }
+  EXPECT_TRUE(follows_law(law_share(u, y, whole)));
 }
 
 TEST(ControllerLaw, SeesWhatElseMovesU) {
