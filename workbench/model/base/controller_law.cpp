@@ -1,7 +1,6 @@
 #include "workbench/model/base/controller_law.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -12,9 +11,10 @@ namespace {
 
 constexpr std::size_t kShortest = 8;  // samples of a stretch that is looked at
 
-// u, and what it may be made of.
-using Signals = std::array<std::vector<double>, 5>;
-enum Signal : std::size_t { kU, kSum, kLevel, kChange, kTime };
+// u, and what it may be made of: from kTimes on a line in each piece, whose setpoint is
+// not known.
+using Signals = std::vector<std::vector<double>>;
+enum Signal : std::size_t { kU, kSum, kLevel, kChange, kTimes };
 
 double mean_of(std::span<const double> v) {
   double sum = 0;
@@ -25,18 +25,18 @@ double mean_of(std::span<const double> v) {
 // Of all samples.
 Signals signals_of(std::span<const double> u, std::span<const double> y,
                    std::span<const Piece> pieces) {
-  Signals out;
-  out.fill(std::vector<double>(u.size()));
+  Signals out(kTimes + pieces.size(), std::vector<double>(u.size()));
   out[kU].assign(u.begin(), u.end());
   out[kLevel].assign(y.begin(), y.end());
-  for (const Piece& piece : pieces) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i];
     const double mean = mean_of(y.subspan(piece.first, piece.last - piece.first));
     double sum = 0;
     for (std::size_t k = piece.first; k < piece.last; ++k) {
       sum += y[k] - mean;
       out[kSum][k] = sum;
       out[kChange][k] = k > piece.first ? y[k] - y[k - 1] : 0;
-      out[kTime][k] = static_cast<double>(k - piece.first);
+      out[kTimes + i][k] = static_cast<double>(k - piece.first);
     }
   }
   return out;
@@ -69,7 +69,7 @@ std::vector<SampleRange> between_ends(std::span<const double> u,
 
 // Each stretch less its mean, one behind the other.
 Signals levels_in(const Signals& all, std::span<const SampleRange> stretches) {
-  Signals out;
+  Signals out(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const SampleRange& at : stretches) {
       const auto values = std::span(all[i]).subspan(at.first, at.last - at.first);
@@ -82,7 +82,7 @@ Signals levels_in(const Signals& all, std::span<const SampleRange> stretches) {
 
 // From one sample of a stretch to the next.
 Signals changes_in(const Signals& all, std::span<const SampleRange> stretches) {
-  Signals out;
+  Signals out(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const SampleRange& at : stretches) {
       for (std::size_t k = at.first + 1; k < at.last; ++k) {
@@ -93,23 +93,22 @@ Signals changes_in(const Signals& all, std::span<const SampleRange> stretches) {
   return out;
 }
 
-double squares_left(const Signals& s, std::span<const Signal> by) {
+// Of u, by what stands from `first` on.
+double squares_left(const Signals& s, std::size_t first) {
   const std::vector<Block> rows = {{0, s[kU].size(), true}};
-  std::vector<std::span<const double>> columns;
-  for (const Signal one : by) columns.emplace_back(s[one]);
+  const std::vector<std::span<const double>> columns(
+      s.begin() + static_cast<std::ptrdiff_t>(first), s.end());
   const std::vector<double> c = least_squares(columns, s[kU], rows);
   std::vector<double> left = s[kU];
-  for (std::size_t i = 0; i < by.size(); ++i) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
     for (std::size_t k = 0; k < left.size(); ++k) left[k] -= c[i] * columns[i][k];
   }
   return sum_of_squares(left, rows);
 }
 
 double share_of(const Signals& s) {
-  constexpr std::array kLine = {kTime};
-  constexpr std::array kLaw = {kSum, kLevel, kChange, kTime};
-  const double all = squares_left(s, kLine);
-  return all > 0 ? 1 - squares_left(s, kLaw) / all : 0;
+  const double all = squares_left(s, kTimes);
+  return all > 0 ? 1 - squares_left(s, kSum) / all : 0;
 }
 
 }  // namespace
