@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "workbench/model/search/left_to_controller.hpp"
 #include "workbench/model/search/outdone.hpp"
 #include "workbench/model/search/pairs.hpp"
+#include "workbench/model/search/play_instead.hpp"
 #include "workbench/model/search/trial.hpp"
 #include "workbench/model/search/triples.hpp"
 #include "workbench/model/search/verdict_on_stems.hpp"
@@ -138,14 +140,6 @@ void judge(const Fitter& fitter, const Fit& base, std::vector<Trial>& trials) {
   });
 }
 
-// A stem that slips by nothing, perhaps: the time it slides may be a lag or a dead time.
-bool may_be_play(const Trial& trial) {
-  return trial.effect->description().sticks && trial.partner == nullptr &&
-         std::ranges::any_of(trial.candidate.parameters, [](const Parameter& p) {
-           return p.name.starts_with("slip_jump") && p.low <= 0;
-         });
-}
-
 // Pairs and, where none passes, three together. What is asked for in place of one effect
 // need not be three.
 void add_together(const Fitter& fitter, const Fit& base, double hopeless_above,
@@ -163,6 +157,17 @@ void add_together(const Fitter& fitter, const Fit& base, double hopeless_above,
   for (Trial& triple : triples_of(fitter, base, trials, std::move(closest))) {
     trials.push_back(std::move(triple));
   }
+}
+
+void add_play(const Fitter& fitter, const Fit& base, std::vector<Trial>& trials) {
+  try {
+    std::vector<Trial> found = play_instead(fitter, base, trials);
+    if (found.empty()) return;
+    std::ranges::move(found, std::back_inserter(trials));
+  } catch (const OutOfTime&) {  // the stem stands as it is
+    return;
+  }
+  judge(fitter, base, trials);
 }
 
 int rank(const Candidate& c) {
@@ -292,10 +297,9 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   });
   judge(fitter, out.base, trials);
   // A white residual has no room for two effects that need each other; and where the best
-  // one leaves little but noise, a second one waits for its turn, unless the first may
-  // stand for play and what is slow behind it.
+  // one leaves little but noise, a second one waits for its turn.
   const auto leaves_noise = [](const Trial& trial) {
-    return accepted(trial) && is_noise(trial.fit->residual) && !may_be_play(trial);
+    return accepted(trial) && is_noise(trial.fit->residual);
   };
   if (!last && fitter.affordable() &&
       std::none_of(trials.begin(), trials.end(), leaves_noise) &&
@@ -306,6 +310,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     }
     judge(fitter, out.base, trials);
   }
+  if (!last) add_play(fitter, out.base, trials);
   end_in_time();
   if (!last) {
     try {

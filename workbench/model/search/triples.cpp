@@ -101,29 +101,27 @@ Trial trial_of(const Try& from) {
   return out;
 }
 
-// Whether each of the three is itself and needed by the other two; the triple is as
-// likely by chance as the weakest of them.
-bool holds(const Fitter& fitter, Trial& triple) {
-  const FitIntervals intervals = intervals_of(fitter, *triple.fit);
-  for (const Effect* member : members_of(triple)) {
-    if (!is_possible(fitter, *triple.fit, *member) ||
-        !excludes_off(fitter, *triple.fit, intervals, *member)) {
+}  // namespace
+
+bool each_is_needed(const Fitter& fitter, Trial& trial) {
+  const FitIntervals intervals = intervals_of(fitter, *trial.fit);
+  for (const Effect* member : members_of(trial)) {
+    if (!is_possible(fitter, *trial.fit, *member) ||
+        !excludes_off(fitter, *trial.fit, intervals, *member)) {
       return false;
     }
-    const Fit rest = fitter.without(*triple.fit, *member);
-    if (!lowers_error(fitter, rest, *triple.fit)) return false;
+    const Fit rest = fitter.without(*trial.fit, *member);
+    if (!lowers_error(fitter, rest, *trial.fit)) return false;
     if (!is_bent(member->description())) continue;
     const DifferenceTest ahead =
-        test_given_past(rest.residual, triple.fit->residual,
-                        fitter.situation(*triple.fit).u, fitter.blocks());
+        test_given_past(rest.residual, trial.fit->residual,
+                        fitter.situation(*trial.fit).u, fitter.blocks());
     if (ahead.p_value > kAsLikely || wants_more(ahead)) return false;
-    triple.test.p_value = std::max(triple.test.p_value, ahead.p_value);
-    if (member->description().sticks) triple.p_ahead = ahead.p_value;
+    trial.test.p_value = std::max(trial.test.p_value, ahead.p_value);
+    if (member->description().sticks) trial.p_ahead = ahead.p_value;
   }
   return true;
 }
-
-}  // namespace
 
 std::vector<Trial> triples_of(const Fitter& fitter, const Fit& base,
                               const std::vector<Trial>& trials,
@@ -149,7 +147,7 @@ std::vector<Trial> triples_of(const Fitter& fitter, const Fit& base,
   triple.fit = fitter.reconsider(std::move(*triple.fit), nullptr);
   examine(fitter, base, triple);
   triple.visible = u_is_seen(fitter, *triple.fit);
-  if (!holds(fitter, triple)) return {};
+  if (!each_is_needed(fitter, triple)) return {};
   triple.test.p_value = std::min(1.0, triple.test.p_value * static_cast<double>(tried));
   std::vector<Trial> out;
   out.push_back(std::move(triple));

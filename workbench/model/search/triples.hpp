@@ -18,4 +18,9 @@ namespace workbench {
                                             const std::vector<Trial>& trials,
                                             std::vector<Trial> pairs);
 
+/// Whether each member of `trial` is possible, told from none and needed by the others
+/// and, if no linear process does as much, seen one sample ahead beside them. The trial
+/// is then as likely by chance as the weakest of them.
+[[nodiscard]] bool each_is_needed(const Fitter& fitter, Trial& trial);
+
 }  // namespace workbench
