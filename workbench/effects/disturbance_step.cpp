@@ -156,9 +156,10 @@ class Step final : public Effect {
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
-    if (!passes(p) || !u_jumps_before(s, p[kTime]) || !u_jumps_before(s, p[kEnd])) {
-      return {};
-    }
+    if (!u_jumps_before(s, p[kTime])) return {};
+    if (!passes(p))
+      return "u jumps where it comes: the process may answer otherwise there";
+    if (!u_jumps_before(s, p[kEnd])) return {};
     return "u jumps where it comes and where it goes: the process may answer otherwise "
            "there";
   }

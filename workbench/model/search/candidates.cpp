@@ -321,7 +321,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
       end_in_time();
     }
   }
-  if (told == Told::kStemsFirst) let_stems_come_first(trials);
+  leave_untold(told, trials);
   leave_fitted_only_open(fitter, out.base, trials);
   leave_outdone_open(trials);
   leave_untold_loads_open(fitter, trials);

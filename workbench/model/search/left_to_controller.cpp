@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workbench/analysis/votes.hpp"
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/base/controller_law.hpp"
 
 namespace workbench {
@@ -40,11 +41,21 @@ void leave_to_controller(Candidate& candidate) {
       "few times, or move u by hand.";
 }
 
-void let_stems_come_first(std::vector<Trial>& trials) {
+void leave_untold(Told told, std::vector<Trial>& trials) {
+  if (told == Told::kAll) return;
   for (Trial& trial : trials) {
+    if (!accepted(trial)) continue;
     const std::vector<const Effect*> members = members_of(trial);
+    if (told == Told::kNothing) {
+      if (std::ranges::count(members, &effects::disturbance_sinusoid()) == 0) continue;
+      leave_in_doubt(
+          trial,
+          "nothing but the controller moves u here: a loop that is tuned too tightly, or "
+          "a valve that sticks a little, would swing like that, too");
+      continue;
+    }
     const bool between = std::ranges::any_of(members, is_between);
-    if (!accepted(trial) || !between || std::ranges::any_of(members, is_stem)) continue;
+    if (!between || std::ranges::any_of(members, is_stem)) continue;
     leave_in_doubt(
         trial,
         "nothing but the controller moves u here, and the verdict on the valve "

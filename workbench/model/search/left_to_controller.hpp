@@ -27,8 +27,8 @@ enum class Told {
 /// Not excited, and why.
 void leave_to_controller(Candidate& candidate);
 
-/// Leaves undecided what was accepted between u and y without a stem, where stems come
-/// first.
-void let_stems_come_first(std::vector<Trial>& trials);
+/// Leaves undecided what was accepted and is not told: where stems come first what lies
+/// between u and y without one, where nothing is told of that a load that swings.
+void leave_untold(Told told, std::vector<Trial>& trials);
 
 }  // namespace workbench

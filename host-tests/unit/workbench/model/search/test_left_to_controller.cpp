@@ -68,12 +68,24 @@ TEST(LeftToController, WithoutAStemWhatLiesBetweenIsLeftOpen) {
   trials[2].effect = &effects::disturbance_ramp();
   trials[3].effect = &effects::valve_backlash();
   for (Trial& trial : trials) trial.candidate.status = CandidateStatus::kAccepted;
-  let_stems_come_first(trials);
+  leave_untold(Told::kStemsFirst, trials);
   EXPECT_FALSE(accepted(trials[0]));
   EXPECT_NE(trials[0].candidate.evidence.find("finds a stem"), std::string::npos);
   EXPECT_TRUE(accepted(trials[1]));
   EXPECT_TRUE(accepted(trials[2])) << "a load is not between u and y";
   EXPECT_TRUE(accepted(trials[3]));
+}
+
+TEST(LeftToController, WhatSwingsMayBeTheLoopItself) {
+  std::vector<Trial> trials(2);
+  trials[0].effect = &effects::disturbance_sinusoid();
+  trials[1].effect = &effects::disturbance_step();
+  for (Trial& trial : trials) trial.candidate.status = CandidateStatus::kAccepted;
+  leave_untold(Told::kAll, trials);
+  EXPECT_TRUE(accepted(trials[0]));
+  leave_untold(Told::kNothing, trials);
+  EXPECT_FALSE(accepted(trials[0]));
+  EXPECT_TRUE(accepted(trials[1]));
 }
 
 TEST(LeftToController, ARecordedLoadTells) {
