@@ -275,7 +275,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   Exploration out;
   out.base = start;
   const Told told = told_between(fitter, start, identified);
-  const bool blind = told == Told::kNothing;
+  const bool blind = told == Told::kNothing || told == Told::kLoads;
   std::vector<Trial> trials =
       screen(fitter, out.base, catalogue, progress, hopeless_above, blind);
   try {

@@ -29,7 +29,10 @@ Told told_between(const Fitter& fitter, const Fit& base, Identified& identified)
   if (!follows_law(law_share(fitter.recording().u, fitter.y(), fitter.pieces()))) {
     return Told::kAll;
   }
-  if (!is_fault(identified.result(fitter.work()).verdict)) return Told::kNothing;
+  const ident::Verdict verdict = identified.result(fitter.work()).verdict;
+  if (!is_fault(verdict)) {
+    return verdict == ident::Verdict::kNoStiction ? Told::kLoads : Told::kNothing;
+  }
   return std::ranges::any_of(base.effects, is_stem) ? Told::kAll : Told::kStemsFirst;
 }
 
@@ -42,7 +45,7 @@ void leave_to_controller(Candidate& candidate) {
 }
 
 void leave_untold(Told told, std::vector<Trial>& trials) {
-  if (told == Told::kAll) return;
+  if (told == Told::kAll || told == Told::kLoads) return;
   for (Trial& trial : trials) {
     if (!accepted(trial)) continue;
     const std::vector<const Effect*> members = members_of(trial);

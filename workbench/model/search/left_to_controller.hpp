@@ -14,12 +14,14 @@ namespace workbench {
 enum class Told {
   kAll,
   kStemsFirst,  ///< a stem, and the rest once that is in the model
-  kNothing,
+  kLoads,       ///< nothing but loads
+  kNothing,     ///< not that either where it swings: the valve may make it swing
 };
 
 /// (W31) Where nothing but the controller moves u (controller_law.hpp), what the process
 /// makes of u is not told from what the controller makes of y, unless the identification
-/// finds a valve that makes the loop cycle, or `base` has a recorded load. Asks
+/// finds a valve that makes the loop cycle, or `base` has a recorded load. Loads are told
+/// where it finds that the valve does not stick. Asks
 /// `identified` only where u follows the law. Throws as Work::check().
 [[nodiscard]] Told told_between(const Fitter& fitter, const Fit& base,
                                 Identified& identified);
@@ -28,7 +30,7 @@ enum class Told {
 void leave_to_controller(Candidate& candidate);
 
 /// Leaves undecided what was accepted and is not told: where stems come first what lies
-/// between u and y without one, where nothing is told of that a load that swings.
+/// between u and y without one, where nothing is told a load that swings.
 void leave_untold(Told told, std::vector<Trial>& trials);
 
 }  // namespace workbench
