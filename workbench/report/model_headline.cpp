@@ -44,7 +44,7 @@ std::string model_headline(const ModelReport& report) {
     return "The model still lacks " + titled(members_of(*missing), " and ") + ".";
   }
   if (report.explanation.left_to_controller) {
-    return "Nothing but the controller moves u: what the process makes of it is not "
+    return "Little but the controller moves u: what the process makes of it is not "
            "told.";
   }
   if (says_hardly_anything(report.comparison.quality.fit_percent)) {

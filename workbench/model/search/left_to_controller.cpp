@@ -39,7 +39,7 @@ Told told_between(const Fitter& fitter, const Fit& base, Identified& identified)
 void leave_to_controller(Candidate& candidate) {
   candidate.status = CandidateStatus::kNotExcited;
   candidate.evidence =
-      "In this recording nothing but the controller moves u, so that what the process "
+      "In this recording little but the controller moves u, so that what the process "
       "makes of u is not told from what the controller makes of y; change the setpoint a "
       "few times, or move u by hand.";
 }
@@ -53,17 +53,16 @@ void leave_untold(Told told, std::vector<Trial>& trials) {
       if (std::ranges::count(members, &effects::disturbance_sinusoid()) == 0) continue;
       leave_in_doubt(
           trial,
-          "nothing but the controller moves u here: a loop that is tuned too tightly, or "
+          "little but the controller moves u here: a loop that is tuned too tightly, or "
           "a valve that sticks a little, would swing like that, too");
       continue;
     }
     const bool between = std::ranges::any_of(members, is_between);
     if (!between || std::ranges::any_of(members, is_stem)) continue;
-    leave_in_doubt(
-        trial,
-        "nothing but the controller moves u here, and the verdict on the valve "
-        "finds a stem that does not follow u: ask again when that is in the "
-        "model");
+    leave_in_doubt(trial,
+                   "little but the controller moves u here, and the verdict on the valve "
+                   "finds a stem that does not follow u: ask again when that is in the "
+                   "model");
   }
 }
 

@@ -18,7 +18,7 @@ enum class Told {
   kNothing,     ///< not that either where it swings: the valve may make it swing
 };
 
-/// (W31) Where nothing but the controller moves u (controller_law.hpp), what the process
+/// (W31) Where little but the controller moves u (controller_law.hpp), what the process
 /// makes of u is not told from what the controller makes of y, unless the identification
 /// finds a valve that makes the loop cycle, or `base` has a recorded load. Loads are told
 /// where it finds that the valve does not stick. Asks

@@ -39,7 +39,7 @@ std::vector<std::string> cautions(const Model& model, double fit_percent,
   constexpr double kAtBound = 0.99;
   if (left_to_controller) {
     return {
-        "Nothing but the controller moves u in this recording. Unless the valve itself "
+        "Little but the controller moves u in this recording. Unless the valve itself "
         "makes the loop cycle, what the process makes of u is not told from what the "
         "controller makes of y, and this model may be that of the controller: change the "
         "setpoint a few times, or move u by hand."};

@@ -17,7 +17,7 @@ namespace workbench {
 /// none of the error is its doing. `best`: an accepted candidate.
 [[nodiscard]] bool is_beside_the_point(const Candidate& best);
 
-/// (W31) True where nothing but the controller moves u in the recording, and the model
+/// (W31) True where little but the controller moves u in the recording, and the model
 /// has neither a stem nor a recorded load that would move y.
 [[nodiscard]] bool is_left_to_controller(const Model& model, const Recording& recording);
 

@@ -43,7 +43,7 @@ TEST_F(ModelHeadline, SaysThatNothingButTheControllerMovesU) {
   result.left_to_controller = true;
   EXPECT_EQ(
       model_headline(report(result)),
-      "Nothing but the controller moves u: what the process makes of it is not told.");
+      "Little but the controller moves u: what the process makes of it is not told.");
 }
 
 }  // namespace
