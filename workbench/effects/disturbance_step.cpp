@@ -157,8 +157,13 @@ class Step final : public Effect {
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
     if (!u_jumps_before(s, p[kTime])) return {};
-    if (!passes(p))
-      return "u jumps where it comes: the process may answer otherwise there";
+    if (!passes(p)) {
+      // Of more jumps the others tell how the process answers.
+      constexpr std::size_t kLone = 2;
+      return great_jumps_of_u(s).size() > kLone
+                 ? ""
+                 : "u jumps where it comes: the process may answer otherwise there";
+    }
     if (!u_jumps_before(s, p[kEnd])) return {};
     return "u jumps where it comes and where it goes: the process may answer otherwise "
            "there";
