@@ -10,6 +10,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
+#include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -73,8 +74,12 @@ int compare_with(const ModelOptions& options) {
   const auto [model, read] = modelled_for(options, Work::unlimited());
   const Comparison comparison = compare(read.joined, model);
   complain_about_unused(read, model);
+  const std::string mind =
+      is_left_to_controller(model, read.joined)
+          ? '\n' + caution_text(model, comparison.quality.fit_percent, true)
+          : std::string();
   print(options.json ? json_line(comparison_json(comparison))
-                     : comparison_text(comparison, read.joined));
+                     : comparison_text(comparison, read.joined) + mind);
   return kDone;
 }
 

@@ -83,6 +83,7 @@ Json explanation_json(const ExplainResult& result) {
   return {{"schema", 1},
           {"complete", result.complete},
           {"explained", result.explained},
+          {"left_to_controller", result.left_to_controller},
           {"rmse", result.rmse},
           {"rmse_validation", result.rmse_validation},
           {"noise_rmse", result.noise_rmse},

@@ -9,6 +9,7 @@
 #include "workbench/model/search/explain.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/search/left_to_controller.hpp"
+#include "workbench/model/tell/explanation_json.hpp"
 
 namespace workbench {
 namespace {
@@ -109,6 +110,7 @@ TEST(LeftToController, NothingBetweenUAndYIsNamed) {
   const Model model = start_model(recording, Column::y).model;
   const ExplainResult result = explain(recording, model);
   EXPECT_TRUE(result.left_to_controller);
+  EXPECT_EQ(explanation_json(result)["left_to_controller"], true);
   EXPECT_FALSE(result.explained) << "the model may be that of the controller";
   for (const Candidate& candidate : result.candidates) {
     const Effect* effect = standard_catalogue().find(candidate.effect);
