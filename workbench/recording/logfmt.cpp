@@ -89,13 +89,6 @@ void read_line(std::string_view line, LogLine& out) {
   }
 }
 
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = trimmed(text.substr(0, end));
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line;
-}
-
 bool is_logfmt(std::string_view text) {
   std::size_t lines = 0;
   std::size_t good = 0;

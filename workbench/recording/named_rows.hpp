@@ -8,6 +8,9 @@
 
 namespace workbench {
 
+/// The first line of a text, trimmed, which goes from it with its end.
+[[nodiscard]] std::string_view take_line(std::string_view& text);
+
 /// Collects name and value, row by row; a column each name, in the order in which they
 /// come. Names and values are views of a text that has to outlive it.
 class NamedRows {

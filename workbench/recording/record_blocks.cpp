@@ -1,6 +1,5 @@
 #include "workbench/recording/record_blocks.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "workbench/recording/cell_reader.hpp"
@@ -10,14 +9,6 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kHeadWithin = 10;  // lines
-
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = trimmed(text.substr(0, end));
-  text.remove_prefix(
-      std::min(end + (text.substr(end).starts_with("\r\n") ? 2U : 1U), text.size()));
-  return line;
-}
 
 bool is_head(std::string_view line) {
   if (line.starts_with('+')) line.remove_prefix(1);

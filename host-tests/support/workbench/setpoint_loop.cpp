@@ -64,4 +64,12 @@ std::function<double(double)> backlash(double width) {
   };
 }
 
+std::function<double(double)> slipping() {
+  return [x = 50.0](double u) mutable {
+    const double pull = u - x;
+    if (std::abs(pull) > 3) x = u - std::copysign(1, pull);
+    return x;
+  };
+}
+
 }  // namespace workbench::test

@@ -37,4 +37,8 @@ struct SetpointLoop {
 /// A backlash of the given width for `SetpointLoop::valve`.
 [[nodiscard]] std::function<double(double)> backlash(double width);
 
+/// A stem for `SetpointLoop::valve` that stays until u is 3 ahead and slips to 1 behind
+/// it.
+[[nodiscard]] std::function<double(double)> slipping();
+
 }  // namespace workbench::test

@@ -1,8 +1,6 @@
 // An effect added to a model with a stem.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/search/in_step.hpp"
@@ -12,11 +10,7 @@ namespace {
 
 TEST(InStep, AStemThatSlippedElsewhereIsPutBack) {
   test::SetpointLoop loop;
-  loop.valve = [x = 50.0](double u) mutable {
-    const double pull = u - x;
-    if (std::abs(pull) > 3) x = u - std::copysign(1, pull);
-    return x;
-  };
+  loop.valve = test::slipping();
   const Recording recording = test::simulated(loop);
   const Fitter fitter(recording, Column::y);
   const Effect& stem = effects::valve_stiction();

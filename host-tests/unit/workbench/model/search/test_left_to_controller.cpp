@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
@@ -37,11 +36,7 @@ SetpointLoop with_a_sticking_valve() {
   loop.setpoint_moves = false;
   loop.samples = 2400;
   loop.load = [](std::size_t k) { return k < 60 ? 8.0 : 0.0; };
-  loop.valve = [x = 50.0](double u) mutable {
-    const double pull = u - x;
-    if (std::abs(pull) > 3) x = u - std::copysign(1, pull);
-    return x;
-  };
+  loop.valve = test::slipping();
   return loop;
 }
 

@@ -1,7 +1,6 @@
 // A stem that slides for a while, or play in front of a dead time?
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "support/workbench/setpoint_loop.hpp"
@@ -47,11 +46,7 @@ TEST(PlayInstead, NotOfAStemThatSlips) {
   loop.samples = 2000;
   loop.noise_std = 0.05;
   loop.delay = 2;
-  loop.valve = [x = 50.0](double u) mutable {
-    const double pull = u - x;
-    if (std::abs(pull) > 3) x = u - std::copysign(1, pull);
-    return x;
-  };
+  loop.valve = test::slipping();
   const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
   const Fit base = fitter.start({});

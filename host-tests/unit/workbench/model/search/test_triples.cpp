@@ -21,11 +21,7 @@ Recording stuck_delayed_and_loaded() {
   loop.samples = 900;
   loop.noise_std = 0.1;
   loop.delay = 6;
-  loop.valve = [x = 50.0](double u) mutable {
-    const double pull = u - x;
-    if (std::abs(pull) > 3) x = u - std::copysign(1, pull);
-    return x;
-  };
+  loop.valve = test::slipping();
   loop.load = [](std::size_t k) {
     return k < 300 ? 0.0 : 6 * (1 - std::exp((300 - double(k)) / 20));
   };
