@@ -4,10 +4,10 @@
 //   score_explained [LOOPS=200] [FIRST_SEED=1]
 //
 // Half of the loops have loads that come back at their own time, half have loads that are
-// switched at any time (clocked_loops.hpp). The valve follows u in all of them. A name is
-// false where it lies between u and y: dead times and lags, where they were still named,
-// lay beside the true ones. Loads and what the record shows
-// may be there. The rule that is counted was chosen on seeds from 1001 on.
+// switched at any time (clocked_loops.hpp). The valve follows u in all of them. A name
+// counts as false where it lies between u and y: of 23 dead times that were named without
+// (W31) the intervals of three held the true one. Loads and what the record shows may be
+// there. The rule that is counted was chosen on seeds from 1001 on.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
