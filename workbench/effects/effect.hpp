@@ -148,6 +148,8 @@ struct Description {
   bool adds_up = false;   ///< the record of a sum is the sum of the records
 
   [[nodiscard]] constexpr bool is_load() const { return place == Place::kLoad; }
+  /// A stem that does not follow every move of its signal, by stiction or play.
+  [[nodiscard]] constexpr bool is_stem() const { return place == Place::kFriction; }
 };
 
 /// A monotone curve that an effect bends the signal of the valve along.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "workbench/model/base/least_squares.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -15,12 +17,6 @@ constexpr std::size_t kShortest = 8;  // samples of a stretch that is looked at
 // not known.
 using Signals = std::vector<std::vector<double>>;
 enum Signal : std::size_t { kU, kSum, kLevel, kChange, kTimes };
-
-double mean_of(std::span<const double> v) {
-  double sum = 0;
-  for (const double value : v) sum += value;
-  return sum / static_cast<double>(v.size());
-}
 
 // Of all samples.
 Signals signals_of(std::span<const double> u, std::span<const double> y,
@@ -73,8 +69,7 @@ Signals levels_in(const Signals& all, std::span<const SampleRange> stretches) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const SampleRange& at : stretches) {
       const auto values = std::span(all[i]).subspan(at.first, at.last - at.first);
-      const double mean = mean_of(values);
-      for (const double value : values) out[i].push_back(value - mean);
+      std::ranges::copy(centred(values), std::back_inserter(out[i]));
     }
   }
   return out;

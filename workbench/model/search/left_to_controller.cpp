@@ -9,12 +9,8 @@
 namespace workbench {
 namespace {
 
-bool is_recorded(const Effect* effect) {
-  return effect->description().recorded;
-}
-
 bool is_stem(const Effect* effect) {
-  return effect->description().place == Place::kFriction;
+  return effect->description().is_stem();
 }
 
 bool is_between(const Effect* effect) {
@@ -24,8 +20,7 @@ bool is_between(const Effect* effect) {
 }  // namespace
 
 Told told_between(const Fitter& fitter, const Fit& base, Identified& identified) {
-  const bool is_driven = std::ranges::any_of(base.effects, is_recorded);
-  if (fitter.output() != Column::y || is_driven) return Told::kAll;
+  if (fitter.output() != Column::y || has_recorded_load(base.effects)) return Told::kAll;
   if (!follows_law(law_share(fitter.recording().u, fitter.y(), fitter.pieces()))) {
     return Told::kAll;
   }

@@ -26,33 +26,11 @@ const Trial* closest_stuck(const std::vector<Trial>& trials) {
   return closest;
 }
 
-// `base` with play, with what else `stuck` has, and with `behind`.
-std::optional<Fit> with_play(const Fitter& fitter, const Fit& base, const Trial& stuck,
-                             const Effect& behind) {
-  std::optional<Fit> fit =
-      fitter.extend(base, effects::valve_backlash(), Effort::kScreen);
+// What is accepted beside stiction in `stuck`.
+std::vector<const Effect*> others_in(const Trial& stuck) {
   std::vector<const Effect*> others = members_of(stuck);
   std::erase(others, &effects::valve_stiction());
-  others.push_back(&behind);
-  for (const Effect* other : others) {
-    if (fit) fit = fitter.extend(*fit, *other, Effort::kScreen);
-  }
-  return fit;
-}
-
-Trial trial_of(Fit fit, const Fit& base) {
-  std::vector<const Effect*> members;
-  for (const Effect* effect : fit.effects) {
-    if (!contains(base.effects, *effect)) members.push_back(effect);
-  }
-  std::ranges::stable_sort(
-      members, {}, [](const Effect* effect) { return effect->description().place; });
-  Trial out;
-  out.effect = members[0];
-  out.partner = members[1];
-  out.third = members.size() > 2 ? members[2] : nullptr;
-  out.fit = std::move(fit);
-  return out;
+  return others;
 }
 
 }  // namespace
@@ -61,18 +39,27 @@ std::vector<Trial> play_instead(const Fitter& fitter, const Fit& base,
                                 const std::vector<Trial>& trials) {
   const Trial* stuck = closest_stuck(trials);
   if (stuck == nullptr || contains(base.effects, effects::valve_backlash())) return {};
+  std::vector<const Effect*> members = others_in(*stuck);
+  std::optional<Fit> loose =
+      fitter.extend(base, effects::valve_backlash(), Effort::kScreen);
+  for (const Effect* other : members) {
+    if (loose) loose = fitter.extend(*loose, *other, Effort::kScreen);
+  }
+  if (!loose) return {};
   std::optional<Fit> least;
   const Effect* slow = nullptr;  // what is behind the play of `least`
   for (const Effect* behind :
        {&effects::process_dead_time(), &effects::process_second_lag()}) {
     if (contains(stuck->fit->effects, *behind)) continue;
-    std::optional<Fit> fit = with_play(fitter, base, *stuck, *behind);
+    std::optional<Fit> fit = fitter.extend(*loose, *behind, Effort::kScreen);
     if (!fit || (least && fit->error >= least->error)) continue;
     least = std::move(fit);
     slow = behind;
   }
   if (!least) return {};
-  Trial play = trial_of(fitter.reconsider(fitter.refine(*least), nullptr), base);
+  members.insert(members.end(), {&effects::valve_backlash(), slow});
+  Trial play =
+      in_signal_order(members, fitter.reconsider(fitter.refine(*least), nullptr));
   const NoiseColour colour = colour_of(play.fit->residual);
   const auto scores_better = [&](const Fit& other) {
     return score_of(*play.fit, colour) < score_of(other, colour);

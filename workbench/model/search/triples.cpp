@@ -87,21 +87,18 @@ std::vector<Try> tries_of(const Fitter& fitter, const std::vector<Trial>& trials
   return tries;
 }
 
-Trial trial_of(const Try& from) {
-  std::vector<const Effect*> members = {from.pair->effect, from.pair->partner,
-                                        from.third};
-  std::stable_sort(members.begin(), members.end(), [](const Effect* a, const Effect* b) {
-    return a->description().place < b->description().place;
-  });
+}  // namespace
+
+Trial in_signal_order(std::vector<const Effect*> members, Fit fit) {
+  std::ranges::stable_sort(
+      members, {}, [](const Effect* effect) { return effect->description().place; });
   Trial out;
   out.effect = members[0];
   out.partner = members[1];
-  out.third = members[2];
-  out.fit = from.fit;
+  out.third = members.size() > 2 ? members[2] : nullptr;
+  out.fit = std::move(fit);
   return out;
 }
-
-}  // namespace
 
 bool each_is_needed(const Fitter& fitter, Trial& trial) {
   const FitIntervals intervals = intervals_of(fitter, *trial.fit);
@@ -143,8 +140,9 @@ std::vector<Trial> triples_of(const Fitter& fitter, const Fit& base,
   fitter.work().for_each(
       tries.size(), [&](std::size_t i) { tries[i].fit = fitter.refine(*tries[i].fit); });
   std::ranges::stable_sort(tries, {}, error_of);
-  Trial triple = trial_of(tries[0]);
-  triple.fit = fitter.reconsider(std::move(*triple.fit), nullptr);
+  const Try& best = tries[0];
+  Trial triple = in_signal_order({best.pair->effect, best.pair->partner, best.third},
+                                 fitter.reconsider(*best.fit, nullptr));
   examine(fitter, base, triple);
   triple.visible = u_is_seen(fitter, *triple.fit);
   if (!each_is_needed(fitter, triple)) return {};

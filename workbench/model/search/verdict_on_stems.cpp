@@ -19,7 +19,7 @@ namespace {
 // The stem that a trial adds; null where it adds none.
 const Effect* stem_of(const Trial& trial) {
   for (const Effect* effect : members_of(trial)) {
-    if (effect->description().place == Place::kFriction) return effect;
+    if (effect->description().is_stem()) return effect;
   }
   return nullptr;
 }
@@ -63,11 +63,6 @@ bool is_outweighed(const Identification& found) {
   return found.reason == ident::Reason::kStemBounded;
 }
 
-bool has_recorded_load(const Fit& fit) {
-  return std::ranges::any_of(
-      fit.effects, [](const Effect* effect) { return effect->description().recorded; });
-}
-
 }  // namespace
 
 std::optional<double> VerdictOnStems::excluded_from() const {
@@ -99,7 +94,7 @@ void VerdictOnStems::refute(Trial& trial) const {
   if (trial.p_ahead <= kBeyondDoubt) return;
   Identification found = identified_->result(fitter_->work());
   if (!is_refuted_by(found, trial)) return;
-  if (has_recorded_load(*trial.fit)) {
+  if (has_recorded_load(trial.fit->effects)) {
     found = less_recorded_loads(*trial.fit);
     if (!is_refuted_by(found, trial)) return;
   }

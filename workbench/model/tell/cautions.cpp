@@ -4,6 +4,7 @@
 
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/controller_law.hpp"
+#include "workbench/model/base/joined.hpp"
 #include "workbench/recording/filled.hpp"
 
 namespace workbench {
@@ -25,13 +26,11 @@ bool is_left_to_controller(const Model& model, const Recording& recording) {
   const bool has_other_cause =
       std::ranges::any_of(model.effects, [&catalogue](const EffectTerm& term) {
         const Effect* effect = catalogue.find(term.effect);
-        return effect != nullptr && (effect->description().place == Place::kFriction ||
-                                     effect->description().recorded);
+        return effect != nullptr &&
+               (effect->description().is_stem() || effect->description().recorded);
       });
   if (model.output != Column::y || has_other_cause) return false;
-  std::vector<Piece> pieces = recording.pieces;
-  if (pieces.empty()) pieces.push_back({.first = 0, .last = recording.size()});
-  return follows_law(law_share(recording.u, recording.y, pieces));
+  return follows_law(law_share(recording.u, recording.y, parts_of(recording).pieces));
 }
 
 std::vector<std::string> cautions(const Model& model, double fit_percent,
