@@ -101,6 +101,25 @@ double squares_left(const Signals& s, std::size_t first) {
   return sum_of_squares(left, rows);
 }
 
+// Whether u moves by a few amounts only, up to a hundredth of the largest.
+bool switches_in(std::span<const double> changes) {
+  constexpr std::size_t kMost = 4;  // amounts
+  constexpr double kSame = 0.01;
+  std::vector<double> amounts(changes.begin(), changes.end());
+  std::erase(amounts, 0);
+  if (amounts.empty()) return false;
+  std::ranges::sort(amounts);
+  const double same = kSame * std::max(-amounts.front(), amounts.back());
+  std::size_t found = 1;
+  double first = amounts.front();
+  for (const double amount : amounts) {
+    if (amount <= first + same) continue;
+    first = amount;
+    ++found;
+  }
+  return found <= kMost;
+}
+
 double share_of(const Signals& s) {
   const double all = squares_left(s, kTimes);
   return all > 0 ? 1 - squares_left(s, kSum) / all : 0;
@@ -118,15 +137,17 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
   for (const SampleRange& at : stretches) samples += at.last - at.first;
   if (static_cast<double>(samples) < kFewest * static_cast<double>(u.size())) return {};
   const Signals all = signals_of(u, y, pieces);
-  return {share_of(levels_in(all, stretches)), share_of(changes_in(all, stretches))};
+  const Signals changes = changes_in(all, stretches);
+  return {share_of(levels_in(all, stretches)), share_of(changes),
+          switches_in(changes[kU])};
 }
 
 bool follows_law(const LawShare& share) {
   constexpr double kMost = 0.9;
-  constexpr double kNearlyAll = 0.99;  // of the level, where u is rounded
+  constexpr double kNearlyAll = 0.99;
   constexpr double kSome = 0.2;
-  return (share.of_level > kMost && share.of_changes > kMost) ||
-         (share.of_level > kNearlyAll && share.of_changes > kSome);
+  const bool may_be_relay = share.switches && share.of_changes <= kMost;
+  return share.of_changes > kSome && share.of_level > (may_be_relay ? kNearlyAll : kMost);
 }
 
 }  // namespace workbench

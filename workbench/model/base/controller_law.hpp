@@ -14,6 +14,7 @@ namespace workbench {
 struct LawShare {
   double of_level = 0;
   double of_changes = 0;
+  bool switches = false;  ///< u moves by four amounts or fewer, as a relay moves it
 };
 
 /// `u` and `y` of one length, 1 or more; `pieces` cover it, each with a setpoint of its
@@ -22,8 +23,10 @@ struct LawShare {
                                  std::span<const Piece> pieces);
 
 /// (W31) True where u holds nothing but such a law: a tenth of its squares at most are of
-/// setpoints, hands, feedforward or a relay, and as little of its changes; where u is
-/// rounded, which its changes show most, a hundredth.
+/// setpoints, hands, feedforward or a relay, and as little of its changes. A controller
+/// whose gain depends on the error, or that reads another filter, leaves more of its
+/// changes: up to four fifths count as such unless u switches; where u is rounded and may
+/// seem to, a hundredth of its squares at most.
 [[nodiscard]] bool follows_law(const LawShare& share);
 
 }  // namespace workbench

@@ -219,6 +219,16 @@ void leave_untold_loads_open(const Fitter& fitter, std::vector<Trial>& trials) {
   });
 }
 
+// What was accepted and is not told, for what lies beside it.
+void leave_open(const Fitter& fitter, const Fit& base, Told told,
+                std::vector<Trial>& trials) {
+  leave_untold(told, trials);
+  leave_under_loads(fitter, trials);
+  leave_fitted_only_open(fitter, base, trials);
+  leave_outdone_open(trials);
+  leave_untold_loads_open(fitter, trials);
+}
+
 // A pair that failed says nothing that its members do not say, but where it leaves far
 // less than each of them: then it is what to try. `alone`: percent of the squared error
 // that the best single effect takes away.
@@ -321,10 +331,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
       end_in_time();
     }
   }
-  leave_untold(told, trials);
-  leave_fitted_only_open(fitter, out.base, trials);
-  leave_outdone_open(trials);
-  leave_untold_loads_open(fitter, trials);
+  leave_open(fitter, out.base, told, trials);
   const Trial* best = choose(fitter, trials);
   report(fitter, trials, best, !last, seen, blind, out);
   return out;

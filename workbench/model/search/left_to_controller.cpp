@@ -5,6 +5,9 @@
 #include "workbench/analysis/votes.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/controller_law.hpp"
+#include "workbench/model/judge/merit.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
@@ -13,8 +16,13 @@ bool is_stem(const Effect* effect) {
   return effect->description().is_stem();
 }
 
-bool is_between(const Effect* effect) {
-  return effect->description().needs_u;
+// The identification judges stems for itself.
+bool is_between_without_stem(const std::vector<const Effect*>& members) {
+  const auto is_between = [](const Effect* effect) {
+    return effect->description().needs_u;
+  };
+  return std::ranges::any_of(members, is_between) &&
+         std::ranges::none_of(members, is_stem);
 }
 
 }  // namespace
@@ -52,12 +60,27 @@ void leave_untold(Told told, std::vector<Trial>& trials) {
           "a valve that sticks a little, would swing like that, too");
       continue;
     }
-    const bool between = std::ranges::any_of(members, is_between);
-    if (!between || std::ranges::any_of(members, is_stem)) continue;
+    if (!is_between_without_stem(members)) continue;
     leave_in_doubt(trial,
                    "little but the controller moves u here, and the verdict on the valve "
                    "finds a stem that does not follow u: ask again when that is in the "
                    "model");
+  }
+}
+
+void leave_under_loads(const Fitter& fitter, std::vector<Trial>& trials) {
+  constexpr double kLeast = 0.6;  // of the squares of y
+  for (Trial& trial : trials) {
+    if (!accepted(trial) || !is_between_without_stem(members_of(trial))) continue;
+    const double share = share_of_u(fitter, *trial.fit);
+    if (share > kLeast) continue;
+    leave_in_doubt(
+        trial,
+        filled("u explains no more than {0} % of the output with it, and loads move the "
+               "rest: where a controller answers loads so large, what the process makes "
+               "of u is not told from what the controller makes of y; move u or the "
+               "setpoint more, or record the load",
+               {number(std::max(100 * share, 0.0), 3)}));
   }
 }
 
