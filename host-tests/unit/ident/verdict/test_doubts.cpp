@@ -100,9 +100,9 @@ Reason repeated(double stem_nats, double cycle_nats, double error_ratio = 2,
 
 TEST(Doubts, LeaveAFaultOpenThatALoadWithAClockForetellsNearlyAsWell) {
   for (const Reason fault : {Reason::kSticksBothStrokes, Reason::kDeadbandOnly}) {
-    EXPECT_EQ(verdict_of(repeated(49, 30, 2, fault)), Verdict::kUndecided);
-    EXPECT_EQ(repeated(49, 30, 2, fault), Reason::kLoadRepeats);
-    EXPECT_EQ(repeated(51, 30, 2, fault), fault);
+    EXPECT_EQ(verdict_of(repeated(44, 30, 2, fault)), Verdict::kUndecided);
+    EXPECT_EQ(repeated(44, 30, 2, fault), Reason::kLoadRepeats);
+    EXPECT_EQ(repeated(46, 30, 2, fault), fault);
     EXPECT_EQ(verdict_of(repeated(299, 200, 2, fault)), Verdict::kUndecided);
     EXPECT_EQ(repeated(301, 200, 2, fault), fault);
   }
@@ -111,21 +111,6 @@ TEST(Doubts, LeaveAFaultOpenThatALoadWithAClockForetellsNearlyAsWell) {
 TEST(Doubts, TakeNoClockForOneThatSaysLittle) {
   EXPECT_EQ(verdict_of(repeated(10, 20)), Verdict::kStiction);
   EXPECT_EQ(verdict_of(repeated(10, 20.1)), Verdict::kUndecided);
-}
-
-TEST(Doubts, LeaveAFaultOpenWhereAStemTellsFarMoreBesideUUnderAClock) {
-  const auto judged = [](double cycle_nats, double beside_u) {
-    Evidence<double> e = sticking();
-    e.ladder.nats = 200;
-    e.cycle.nats = cycle_nats;
-    e.beside_u.nats = beside_u;
-    e.error_ratio = 20;
-    e.fit_percent = 98.7;
-    return doubt_repeating(Reason::kSticksBothStrokes, e);
-  };
-  EXPECT_EQ(judged(61, 261), Reason::kLoadRepeats);
-  EXPECT_EQ(verdict_of(judged(61, 259)), Verdict::kStiction);
-  EXPECT_EQ(verdict_of(judged(59, 900)), Verdict::kStiction);
 }
 
 TEST(Doubts, LeaveAFaultOpenWhoseBandsReachNothing) {
