@@ -78,10 +78,43 @@ TEST(ControllerLaw, SeesWhatElseMovesU) {
   std::vector<double> by_hand(kSamples);
   for (std::size_t k = 0; k < kSamples; ++k) by_hand[k] = k / 100 % 2 == 0 ? 40 : 50;
   EXPECT_FALSE(follows_law(law_share(by_hand, y, whole)));
-  EXPECT_FALSE(follows_law({.of_level = 0.98, .of_changes = 0.8})) << "a relay";
-  EXPECT_TRUE(follows_law({.of_level = 0.995, .of_changes = 0.8})) << "u is rounded";
+  EXPECT_FALSE(follows_law({.of_level = 0.98, .of_changes = 0.8, .switches = true}));
+  EXPECT_TRUE(follows_law({.of_level = 0.995, .of_changes = 0.8, .switches = true}))
+      << "u is rounded";
   const std::vector<double> still(kSamples, 50.0);
   EXPECT_EQ(law_share(still, y, whole).of_level, 0);
+}
+
+TEST(ControllerLaw, KnowsOneWhoseGainGrowsWithTheError) {
+  const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
+  const std::vector<double> y = pushed();
+  std::vector<double> u;
+  double sum = 30;
+  for (const double value : y) {
+    const double error = 50 - value;
+    sum += 0.01 * error;
+    u.push_back(sum + 0.2 * error * std::abs(error));
+  }
+  const LawShare share = law_share(u, y, whole);
+  EXPECT_LT(share.of_level, 0.99);
+  EXPECT_FALSE(share.switches);
+  EXPECT_TRUE(follows_law(share));
+}
+
+TEST(ControllerLaw, KnowsARelayAndOneThatFloatsByTheirMoves) {
+  const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
+  const std::vector<double> y = pushed();
+  std::vector<double> relay;
+  std::vector<double> floating;
+  double at = 30;
+  for (const double value : y) {
+    relay.push_back(value > 50 ? 30 : 70);
+    if (std::abs(value - 50) > 1) at += value > 50 ? -0.25 : 0.25;
+    floating.push_back(at);
+  }
+  EXPECT_TRUE(law_share(relay, y, whole).switches);
+  EXPECT_TRUE(law_share(floating, y, whole).switches);
+  EXPECT_FALSE(law_share(answer(y, whole), y, whole).switches);
 }
 
 }  // namespace

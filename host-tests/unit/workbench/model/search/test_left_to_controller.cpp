@@ -85,6 +85,32 @@ TEST(LeftToController, WhatSwingsMayBeTheLoopItself) {
   EXPECT_TRUE(accepted(trials[1]));
 }
 
+// What is left of a dead time that was accepted, u moved by the setpoint and the load by
+// so much.
+Candidate accepted_beside(double load) {
+  SetpointLoop loop = under_a_load();
+  loop.setpoint_moves = true;
+  loop.load = [load](std::size_t k) { return k / 70 % 2 == 0 ? 0.0 : load; };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  std::vector<Trial> trials(2);
+  for (Trial& trial : trials) trial.candidate.status = CandidateStatus::kAccepted;
+  trials[0].effect = &effects::process_dead_time();
+  trials[0].fit = fitter.start({trials[0].effect});
+  trials[1].effect = &effects::valve_backlash();
+  trials[1].fit = fitter.start({trials[1].effect});
+  leave_under_loads(fitter, trials);
+  EXPECT_TRUE(accepted(trials[1])) << "the identification judges stems";
+  return trials[0].candidate;
+}
+
+TEST(LeftToController, ALoadThatMovesMoreThanUDoesLeavesTheProcessOpen) {
+  EXPECT_EQ(accepted_beside(2).status, CandidateStatus::kAccepted);
+  const Candidate left = accepted_beside(30);
+  EXPECT_EQ(left.status, CandidateStatus::kUndecided);
+  EXPECT_NE(left.evidence.find("record the load"), std::string::npos);
+}
+
 TEST(LeftToController, ARecordedLoadTells) {
   Recording recording = simulated(under_a_load());
   Load load{.name = "FI-1"};
