@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ident/base/configurations.hpp"
-#include "ident/base/elementary.hpp"
+#include "ident/in_place_identifier_full_rate.hpp"
 #include "ident/in_place_identifier_weigh.hpp"
 
 namespace ident {

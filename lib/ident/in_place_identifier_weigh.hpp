@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"
 #include "ident/in_place_identifier.hpp"
 

@@ -1,5 +1,8 @@
 // The part of an identification at the rate of the recording: the process behind the
 // chosen valve, where the loop would become unstable, where the model fails.
+// Definitions for in_place_identifier.cpp alone.
+#pragma once
+
 #include <algorithm>
 
 #include "ident/in_place_identifier.hpp"
@@ -41,29 +44,28 @@ bool InPlaceIdentifier<Real, Capacity>::simulate_process(int budget) {
   return simulation.step(static_cast<std::size_t>(samples));
 }
 
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_stem() {
-  if constexpr (kMostSearched < Capacity) {
-    next_place();
-  }
-  const std::span<Real> stem{scratch_.data(), size_};
-  scaled_stem(stem);
-  begin_process(chosen_, stem);
-  stage_ = Stage::kProcess;
-}
-
 // The search may have seen the end of the window only: where the stem stood before the
 // first sample is the best of some places that its band allows. Each is tried in turn,
 // then the best once more.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::next_place() {
-  if (samples_before_searched() == 0 || !chosen_.start_known) {
-    return;
+  if constexpr (kMostSearched < Capacity) {
+    if (samples_before_searched() > 0 && chosen_.start_known) {
+      chosen_.start = placing_.next < kRestingPlaces
+                          ? resting_range(chosen_.friction, u_[0]).place(placing_.next)
+                          : placing_.start;
+      ++placing_.next;
+    }
   }
-  chosen_.start = placing_.next < kRestingPlaces
-                      ? resting_range(chosen_.friction, u_[0]).place(placing_.next)
-                      : placing_.start;
-  ++placing_.next;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_stem() {
+  next_place();
+  const std::span<Real> stem{scratch_.data(), size_};
+  scaled_stem(stem);
+  begin_process(chosen_, stem);
+  stage_ = Stage::kProcess;
 }
 
 // Whether the process that was solved is that of the chosen valve where it stands best.
@@ -248,35 +250,5 @@ EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const {
   return next_earlier(options_.earlier != nullptr ? *options_.earlier : EarlierValve{},
                       found, searched());
 }
-
-#define STICKBAND_INSTANTIATE(Real, Capacity)                                            \
-  template bool InPlaceIdentifier<Real, Capacity>::solve_process(int);                   \
-  template bool InPlaceIdentifier<Real, Capacity>::simulate_process(int);                \
-  template void InPlaceIdentifier<Real, Capacity>::begin_process(                        \
-      const ValveModel<Real>&, std::span<const Real>);                                   \
-  template void InPlaceIdentifier<Real, Capacity>::begin_output(std::span<const Real>);  \
-  template bool InPlaceIdentifier<Real, Capacity>::searched() const;                     \
-  template EarlierValve InPlaceIdentifier<Real, Capacity>::next_start() const;           \
-  template void InPlaceIdentifier<Real, Capacity>::take_stem();                          \
-  template void InPlaceIdentifier<Real, Capacity>::lay_gap();                            \
-  template void InPlaceIdentifier<Real, Capacity>::start_gap();                          \
-  template void InPlaceIdentifier<Real, Capacity>::take_gap();                           \
-  template LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const;      \
-  template void InPlaceIdentifier<Real, Capacity>::look_at_loop();                       \
-  template void InPlaceIdentifier<Real, Capacity>::look_at_crossover();                  \
-  template void InPlaceIdentifier<Real, Capacity>::look_at_margin();                     \
-  template void InPlaceIdentifier<Real, Capacity>::look_at_setpoint();                   \
-  template bool InPlaceIdentifier<Real, Capacity>::placed();                             \
-  template StickSlipValve<Real> InPlaceIdentifier<Real, Capacity>::chosen_valve() const; \
-  template void InPlaceIdentifier<Real, Capacity>::scaled_stem(std::span<Real>) const;   \
-  template void InPlaceIdentifier<Real, Capacity>::stem_positions(std::span<Real>)       \
-      const;                                                                             \
-  template void InPlaceIdentifier<Real, Capacity>::simulate_valve(std::span<Real>) const;
-STICKBAND_INSTANTIATE(float, kSmallWindow)
-STICKBAND_INSTANTIATE(float, kStandardWindow)
-STICKBAND_INSTANTIATE(float, kLargeWindow)
-STICKBAND_INSTANTIATE(double, kSmallWindow)
-STICKBAND_INSTANTIATE(double, kStandardWindow)
-STICKBAND_INSTANTIATE(double, kLargeWindow)
 
 }  // namespace ident
