@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "workbench/model/base/noise.hpp"
-#include "workbench/model/fit/parameter_search.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/off_profile.hpp"
@@ -145,7 +144,7 @@ void judge(const Fitter& fitter, const Fit& base, std::vector<Trial>& trials) {
 void add_together(const Fitter& fitter, const Fit& base, double hopeless_above,
                   std::vector<Trial>& trials) {
   std::vector<Trial> closest;
-  for (Trial& pair : pairs_of(fitter, base, trials, hopeless_above, &closest)) {
+  for (Trial& pair : pairs_of(fitter, base, trials, hopeless_above, closest)) {
     trials.push_back(std::move(pair));
   }
   if (std::isfinite(hopeless_above) || !fitter.affordable()) return;

@@ -283,7 +283,7 @@ void in_signal_order(Trial& pair) {
 
 std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                             const std::vector<Trial>& trials, double hopeless_above,
-                            std::vector<Trial>* closest) {
+                            std::vector<Trial>& closest) {
   PairSearch search(fitter, base, trials, hopeless_above);
   std::vector<Trial> pairs = search.screened();
   fitter.work().for_each(
@@ -299,7 +299,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
     fitter.work().for_each(pairs.size() - 1, [&](std::size_t i) { reconsider(i + 1); });
   }
   for (Trial& pair : pairs) in_signal_order(pair);
-  if (closest != nullptr) *closest = pairs;
+  closest = pairs;
   std::erase_if(pairs, [&](Trial& pair) {
     examine(fitter, base, pair);
     if (is_slow_load(pair.effect) && is_slow_load(pair.partner)) {

@@ -14,6 +14,6 @@ namespace workbench {
 [[nodiscard]] std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                                           const std::vector<Trial>& trials,
                                           double hopeless_above,
-                                          std::vector<Trial>* closest = nullptr);
+                                          std::vector<Trial>& closest);
 
 }  // namespace workbench

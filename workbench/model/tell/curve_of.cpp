@@ -5,9 +5,8 @@
 namespace workbench {
 
 std::optional<NamedCurve> curve_of(const std::string& effect,
-                                   const std::vector<Parameter>& parameters,
-                                   const Catalogue& catalogue) {
-  const Effect* const known = catalogue.find(effect);
+                                   const std::vector<Parameter>& parameters) {
+  const Effect* const known = standard_catalogue().find(effect);
   if (known == nullptr) return std::nullopt;
   std::vector<double> values;
   for (const Parameter& p : parameters) {
@@ -16,8 +15,8 @@ std::optional<NamedCurve> curve_of(const std::string& effect,
   return known->named_curve(values);
 }
 
-bool is_idle(const EffectTerm& term, std::string_view name, const Catalogue& catalogue) {
-  const Effect* const known = catalogue.find(term.effect);
+bool is_idle(const EffectTerm& term, std::string_view name) {
+  const Effect* const known = standard_catalogue().find(term.effect);
   if (known == nullptr) return false;
   const OptionalForm form = known->optional_form();
   return std::ranges::find(form.parameters, name) != form.parameters.end() &&

@@ -135,11 +135,11 @@ Column output_of(const Reader& reader) {
   reader.fail("y or x", workbench::quoted(name));
 }
 
-EffectTerm term_of(const Reader& reader, const Model& model, const Catalogue& catalogue) {
+EffectTerm term_of(const Reader& reader, const Model& model) {
   EffectTerm term;
   term.effect = reader.at("effect").text();
-  if (catalogue.find(term.effect) == nullptr) {
-    reader.at("effect").fail("one of " + catalogue.codes(),
+  if (standard_catalogue().find(term.effect) == nullptr) {
+    reader.at("effect").fail("one of " + standard_catalogue().codes(),
                              workbench::quoted(term.effect));
   }
   if (model.has(term.effect)) {
@@ -168,9 +168,9 @@ Json json_of(const std::vector<Parameter>& list) {
 }
 
 Json effect_json(const std::string& effect, bool phenomenological,
-                 const std::vector<Parameter>& list, const Catalogue& catalogue) {
+                 const std::vector<Parameter>& list) {
   Json out = {{"phenomenological", phenomenological}, {"parameters", json_of(list)}};
-  if (const std::optional<NamedCurve> curve = curve_of(effect, list, catalogue)) {
+  if (const std::optional<NamedCurve> curve = curve_of(effect, list)) {
     out["kind"] = curve->kind;
     out["curve"] = curve->points;
   }
@@ -212,8 +212,7 @@ Json model_json(const Model& model) {
           {"history", history}};
 }
 
-Model parse_model(const std::string& text, const std::string& name,
-                  const Catalogue& catalogue) {
+Model parse_model(const std::string& text, const std::string& name) {
   const Json json = parsed_json<Json>(text);
   const Reader reader(json, name, "");
   if (json.is_discarded()) reader.fail("JSON", "text that is not");
@@ -239,9 +238,8 @@ Model parse_model(const std::string& text, const std::string& name,
     model.fitted.fingerprint = recording.at("fingerprint").text();
   }
   model.process = parameters(reader.at("process"));
-  reader.at("effects").each_element([&](const Reader& term) {
-    model.effects.push_back(term_of(term, model, catalogue));
-  });
+  reader.at("effects").each_element(
+      [&](const Reader& term) { model.effects.push_back(term_of(term, model)); });
   model.initial_state = parameters(reader.at("initial_state"));
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   reader.at("history").each_element([&](const Reader& step) {
@@ -254,8 +252,8 @@ Model parse_model(const std::string& text, const std::string& name,
   return model;
 }
 
-Model read_model(const std::string& path, const Catalogue& catalogue) {
-  return parse_model(read_text_file(path, kMaxBytes), path, catalogue);
+Model read_model(const std::string& path) {
+  return parse_model(read_text_file(path, kMaxBytes), path);
 }
 
 }  // namespace workbench

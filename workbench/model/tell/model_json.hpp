@@ -24,21 +24,18 @@ inline constexpr int kModelSchema = 1;
 /// `parameters` as the fit left them.
 [[nodiscard]] nlohmann::ordered_json effect_json(
     const std::string& effect, bool phenomenological,
-    const std::vector<Parameter>& parameters,
-    const Catalogue& catalogue = standard_catalogue());
+    const std::vector<Parameter>& parameters);
 
 /// One effect of a model: its code, and what stands beside it.
 [[nodiscard]] nlohmann::ordered_json term_json(const EffectTerm& term);
 
 /// Reads a model file. Throws InputError naming the file, the key, what was expected,
 /// what was found and what to do, for: text that is not JSON; JSON that is not a model;
-/// another version; an effect that `catalogue` does not have, or twice; a missing key; a
+/// another version; an effect that is not in the catalogue, or twice; a missing key; a
 /// number that is not one or not finite.
-[[nodiscard]] Model read_model(const std::string& path,
-                               const Catalogue& catalogue = standard_catalogue());
+[[nodiscard]] Model read_model(const std::string& path);
 
 /// The same for a text already in memory; `name` stands in messages.
-[[nodiscard]] Model parse_model(const std::string& text, const std::string& name,
-                                const Catalogue& catalogue = standard_catalogue());
+[[nodiscard]] Model parse_model(const std::string& text, const std::string& name);
 
 }  // namespace workbench
