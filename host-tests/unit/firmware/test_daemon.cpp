@@ -9,6 +9,7 @@
 
 #include "firmware/daemon.hpp"
 #include "firmware/notice_text.hpp"
+#include "firmware/sticking_plant.hpp"
 #include "support/base/fixed_random.hpp"
 #include "support/ident/microseconds.hpp"
 #include "support/ident/pi_loop.hpp"
@@ -52,14 +53,6 @@ std::string loop_text(int id, const std::string& more = "") {
          "\"\nsample_period_s = 0.1\n" + signal("u", 0) + signal("y", 1) + more;
 }
 
-wire::CanFrame frame_of(std::uint32_t id, double percent) {
-  const auto raw = static_cast<std::uint16_t>(std::lround(percent * 100));
-  wire::CanFrame frame{.id = id, .dlc = 2, .data = {}};
-  frame.data[0] = static_cast<std::uint8_t>(raw);
-  frame.data[1] = static_cast<std::uint8_t>(raw >> 8);
-  return frame;
-}
-
 class Gateway : public testing::Test {
  protected:
   void start(const std::string& text) {
@@ -80,7 +73,7 @@ class Gateway : public testing::Test {
   // Values of loop 1 for that long, at 10 Hz.
   void feed(double seconds, double u = 50, double y = 50) {
     for (int k = 0; k < seconds * 10; ++k) {
-      step({{0, 0, frame_of(0x204, u)}, {0, 0, frame_of(0x205, y)}}, 100'000);
+      step({{0, 0, percent_frame(0x204, u)}, {0, 0, percent_frame(0x205, y)}}, 100'000);
     }
   }
   std::vector<std::uint8_t> ask(std::vector<std::uint8_t> request) {
@@ -148,8 +141,8 @@ TEST_F(Gateway, DecidesNothingWhereUAndYAreExchanged) {
     for (std::size_t t = 0; t < record.u.size(); ++t) {
       const double u = 50 + 10 * record.u[t];
       const double y = 50 + 10 * record.y[t];
-      step({{0, 0, frame_of(0x204, exchanged ? y : u)},
-            {0, 0, frame_of(0x205, exchanged ? u : y)}},
+      step({{0, 0, percent_frame(0x204, exchanged ? y : u)},
+            {0, 0, percent_frame(0x205, exchanged ? u : y)}},
            100'000);
     }
     daemon->evaluate_all();
@@ -170,7 +163,7 @@ TEST_F(Gateway, TellsThatAModeSuspendsTheEvaluationAndThatItGoesOn) {
                   "mode = { source = \"can\", bus = \"a\", frame_id = 0x300, start = 0, "
                   "length = 8 }\nauto_values = [1, 4, 8]\n"));
   const auto mode = [](double value) {
-    return BusFrame{0, 0, frame_of(0x300, value / 100)};
+    return BusFrame{0, 0, percent_frame(0x300, value / 100)};
   };
   feed(1);
   EXPECT_EQ(count(NoticeKind::kSuspended), 0) << "a mode that is not known";
@@ -222,12 +215,12 @@ TEST_F(Gateway, AParameterGroupComesFromAnySourceWithAnyPriority) {
       "y = { source = \"j1939\", bus = \"a\", pgn = 0xEF00, source_address = 3, start = "
       "0, length = 16, scale = 0.01 }\n");
   const auto group = [](std::uint32_t id, double percent) {
-    wire::CanFrame frame = frame_of(id, percent);
+    wire::CanFrame frame = percent_frame(id, percent);
     frame.extended = true;
     return frame;
   };
   step({{0, 0, group(0x18FEF221, 40)}, {0, 0, group(0x0CEF9903, 60)}}, 100'000);
-  step({{0, 0, group(0x18EF9904, 70)}, {0, 0, frame_of(0x6F2, 70)}}, 100'000);
+  step({{0, 0, group(0x18EF9904, 70)}, {0, 0, percent_frame(0x6F2, 70)}}, 100'000);
   EXPECT_DOUBLE_EQ(status().u_pct, 40);
   EXPECT_DOUBLE_EQ(status().y_pct, 60) << "another source address is not it";
   step({{0, 0, group(0x04FEF221, 45)}}, 100'000);
@@ -366,7 +359,7 @@ TEST_F(Gateway, ALoopThatGoesOnAsItDidIsJudgedOncePerWindow) {
       // Without any noise rounding alone would decide what such a record can show.
       const double noise = std::fmod(k * 7919.0, 101) / 50 - 1;
       const double y = 50 + amplitude * std::sin(0.1 * k - 1) + 0.5 * noise;
-      step({{0, 0, frame_of(0x204, u)}, {0, 0, frame_of(0x205, y)}}, 100'000);
+      step({{0, 0, percent_frame(0x204, u)}, {0, 0, percent_frame(0x205, y)}}, 100'000);
       while (daemon->work(1000)) {
       }
     }
@@ -402,7 +395,7 @@ TEST_F(Gateway, AllocatesNothingAfterItsStart) {
         const auto loop = static_cast<std::uint32_t>(i / 2 + 1);
         const double phase = 0.05 * k + static_cast<double>(i);
         frames[i] = {0, now.us,
-                     frame_of(0x200 + 4 * loop + i % 2, 50 + 20 * std::sin(phase))};
+                     percent_frame(0x200 + 4 * loop + i % 2, 50 + 20 * std::sin(phase))};
       }
       wire::CanFrame request{.id = 0x7E0, .dlc = 8, .data = {3, 0x22, 0xFD, 0x13}};
       if (k % 10 == 0) frames[0].frame = request;
