@@ -75,7 +75,7 @@ bool says_no_value(std::string_view cell, bool export_file) {
   const auto is = [&lower](std::string_view word) { return lower == word; };
   const auto begins = [&lower](std::string_view word) { return lower.starts_with(word); };
   if (lower[0] == '#' && lower.size() > 1) {
-    if (lower[1] >= 'a' && lower[1] <= 'z') return true;
+    if (is_small(lower[1])) return true;
     if (lower.find_first_not_of('#') == std::string::npos) return true;
   }
   return std::any_of(kWords.begin(), kWords.end(), is) ||
@@ -102,18 +102,13 @@ bool reads_as_word(std::string_view cell) {
            says_no_value(without_brackets(cell.substr(blank)), false);
   }
   const auto letters =
-      static_cast<std::size_t>(std::count_if(word.begin(), word.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-               static_cast<unsigned char>(c) >= 0x80;
-      }));
+      static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_letter_byte));
   const auto digits =
       static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_digit));
   constexpr std::size_t kFewestLetters = 3;
   const std::string lower = lower_case(word.substr(0, kLongest));
   return letters >= kFewestLetters && letters > digits && !lower.starts_with("inf") &&
-         !lower.starts_with("nan") &&
-         std::find(kNumberWords.begin(), kNumberWords.end(), std::string_view(lower)) ==
-             kNumberWords.end();
+         !lower.starts_with("nan") && !is_one_of(lower, kNumberWords);
 }
 
 namespace {

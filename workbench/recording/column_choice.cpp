@@ -1,7 +1,6 @@
 #include "workbench/recording/column_choice.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"

@@ -19,8 +19,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr bool is_word_byte(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         static_cast<unsigned char>(c) >= 0x80;
+  return is_letter_byte(c) || is_digit(c);
 }
 
 std::string key_of(std::string_view text) {
@@ -49,7 +48,7 @@ std::string key_of(std::string_view text) {
           key += text[i];
       }
     } else if (is_word_byte(c)) {
-      key += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+      key += lower_case(c);
     }
   }
   return key;
@@ -265,7 +264,7 @@ std::string_view without_type(std::string_view piece) {
        {"lr"sv, "di"sv, "r"sv, "f"sv, "i"sv, "n"sv, "w"sv}) {
     if (!piece.starts_with(type) || piece.size() <= type.size()) continue;
     const std::string_view rest = piece.substr(type.size());
-    if (rest[0] >= 'A' && rest[0] <= 'Z' && is_signal(part_named(key_of(rest)))) {
+    if (is_capital(rest[0]) && is_signal(part_named(key_of(rest)))) {
       return rest;
     }
   }

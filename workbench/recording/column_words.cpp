@@ -48,7 +48,7 @@ bool is_aim(std::string_view piece) {
   const auto begins = [piece](std::string_view word) { return piece.starts_with(word); };
   const bool numbered = piece.size() > 3 && piece.ends_with("sp") &&  // t2sp
                         wire::is_digit(piece[piece.size() - 3]);
-  return numbered || std::find(kAims.begin(), kAims.end(), piece) != kAims.end() ||
+  return numbered || is_one_of(piece, kAims) ||
          std::any_of(kAimBeginnings.begin(), kAimBeginnings.end(), begins);
 }
 
@@ -106,12 +106,12 @@ Part part_hinted(const std::vector<std::string>& pieces) {
 }
 
 bool is_value_word(std::string_view key) {
-  return std::find(kValueWords.begin(), kValueWords.end(), key) != kValueWords.end();
+  return is_one_of(key, kValueWords);
 }
 
 bool is_unit(std::string_view text) {
   const std::string lower = lower_case(without_brackets(trimmed(text)));
-  return std::find(kUnits.begin(), kUnits.end(), std::string_view(lower)) != kUnits.end();
+  return is_one_of(lower, kUnits);
 }
 
 std::string_view unit_behind(std::string_view cell) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "workbench/recording/named_signal.hpp"
-
 namespace workbench {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/text_encoding.hpp"
 
 namespace workbench {
@@ -61,7 +62,7 @@ std::string folded(std::string_view text) {
       const bool wide = code >= 0xFF01 && code <= 0xFF5E;
       const char c = wide ? static_cast<char>(code - 0xFEE0) : bytes[0];
       if (wide || bytes.size() == 1) {
-        out += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        out += lower_case(c);
       } else {
         out += bytes;
       }

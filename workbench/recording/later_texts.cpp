@@ -6,7 +6,6 @@
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/long_format.hpp"
-#include "workbench/recording/named_signal.hpp"
 
 namespace workbench {
 namespace {
@@ -39,8 +38,7 @@ bool numbers_page(std::string_view line) {
        {"page ", "seite ", "pagina ", "p\xC3\xA1gina ", "strona ", "sida ", "side "}) {
     if (!lower.starts_with(word)) continue;
     const std::string_view rest = std::string_view(lower).substr(word.size());
-    const auto letters = std::count_if(rest.begin(), rest.end(),
-                                       [](char c) { return c >= 'a' && c <= 'z'; });
+    const auto letters = std::count_if(rest.begin(), rest.end(), is_small);
     return !rest.empty() && is_digit(rest[0]) && letters <= 3 &&  // of, von, sur
            rest.find_first_of(",;:\t|.") == std::string_view::npos;
   }

@@ -31,9 +31,7 @@ std::string_view take_word(std::string_view& rest) {
 }
 
 bool may_be_in_name(char c) {
-  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                      static_cast<unsigned char>(c) >= 0x80;
-  return letter || is_digit(c) || std::string_view("_.-/:").find(c) < 5;
+  return is_letter_byte(c) || is_digit(c) || std::string_view("_.-/:").find(c) < 5;
 }
 
 std::string_view name_in(std::string_view word) {

@@ -32,11 +32,6 @@ constexpr std::array kUnits = {
 constexpr std::array kParameters = {"parameter"sv, "param"sv, "attribute"sv,
                                     "property"sv};
 
-template <std::size_t N>
-bool is_one(std::string_view key, const std::array<std::string_view, N>& keys) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
 class LongFinder {
  public:
   LongFinder(const CsvLayout& layout, const std::vector<std::size_t>& times)
@@ -54,14 +49,14 @@ class LongFinder {
     LongFormat out;
     out.tag = *tag;
     out.value = *value;
-    if (is_one(columns_[*value].name.key, kFractions)) {
-      out.whole =
-          first([](const LayoutColumn& c) { return is_one(c.name.key, kWholes); }, true);
+    if (is_one_of(columns_[*value].name.key, kFractions)) {
+      out.whole = first(
+          [](const LayoutColumn& c) { return is_one_of(c.name.key, kWholes); }, true);
     }
     take_parameter(out);
     out.unit = first(
         [this, &out](const LayoutColumn& c) {
-          return c.content == Content::kText && is_one(c.name.key, kUnits) &&
+          return c.content == Content::kText && is_one_of(c.name.key, kUnits) &&
                  &c != &columns_[out.tag];
         },
         false);
@@ -91,14 +86,14 @@ class LongFinder {
   void take_parameter(LongFormat& out) const {
     const auto parameter = first(
         [](const LayoutColumn& c) {
-          return c.content == Content::kText && is_one(c.name.key, kParameters);
+          return c.content == Content::kText && is_one_of(c.name.key, kParameters);
         },
         false);
     if (!parameter) return;
     const auto tag = first(
         [](const LayoutColumn& c) {
           return c.content == Content::kText && c.name.part == Part::kTag &&
-                 !is_one(c.name.key, kParameters);
+                 !is_one_of(c.name.key, kParameters);
         },
         false);
     if (!tag) return;
@@ -118,7 +113,7 @@ class LongFinder {
       const auto named = first(
           [may_rest](const LayoutColumn& c) {
             const bool numbered = c.content == Content::kNumber &&
-                                  is_one(c.name.key, kNumbersOfTags) && !c.counts;
+                                  is_one_of(c.name.key, kNumbersOfTags) && !c.counts;
             return (c.content == Content::kText || numbered) &&
                    c.name.part == Part::kTag && (may_rest || !c.rests());
           },
@@ -182,7 +177,7 @@ bool is_measured(const LayoutColumn& column) {
   constexpr std::array kCounters = {"id"sv,  "index"sv, "nr"sv,     "no"sv,
                                     "row"sv, "zeile"sv, "rownum"sv, "sequence"sv};
   return (column.content == Content::kNumber || column.content == Content::kNothing) &&
-         !is_one(column.name.key, kCounters);
+         !is_one_of(column.name.key, kCounters);
 }
 
 bool may_name_tag(std::string_view cell) {

@@ -6,6 +6,7 @@
 
 #include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/column_name.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench {
 namespace {
@@ -26,28 +27,23 @@ constexpr std::array kManualModes = {"m"sv,    "man"sv,  "manual"sv, "manuell"sv
                                      "hand"sv, "iman"sv, "rman"sv,   "lo"sv,
                                      "h"sv,    "oos"sv,  "o/s"sv};
 
-template <std::size_t N>
-bool is_one_of(const std::array<std::string_view, N>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 enum class Says { kNothing, kMode, kAuto, kManual };
 
 // What the name of a column says, and the pieces before that.
 Says said_by(Pieces pieces, Pieces& tag) {
-  if (pieces.size() > 1 && is_one_of(kSaidBehind, pieces.back())) pieces.pop_back();
+  if (pieces.size() > 1 && is_one_of(pieces.back(), kSaidBehind)) pieces.pop_back();
   if (pieces.empty()) return Says::kNothing;
   const std::string last = pieces.back();
   pieces.pop_back();
   const std::string before = pieces.empty() ? "" : pieces.back();
   const bool two = (before == "a" && last == "m") ||
-                   (is_one_of(kAutoWords, before) && is_one_of(kManualWords, last)) ||
-                   (is_one_of(kManualWords, before) && is_one_of(kAutoWords, last));
+                   (is_one_of(before, kAutoWords) && is_one_of(last, kManualWords)) ||
+                   (is_one_of(before, kManualWords) && is_one_of(last, kAutoWords));
   if (two) pieces.pop_back();
   tag = std::move(pieces);
-  if (two || is_one_of(kModeWords, last)) return Says::kMode;
-  if (is_one_of(kAutoWords, last)) return Says::kAuto;
-  return is_one_of(kManualWords, last) ? Says::kManual : Says::kNothing;
+  if (two || is_one_of(last, kModeWords)) return Says::kMode;
+  if (is_one_of(last, kAutoWords)) return Says::kAuto;
+  return is_one_of(last, kManualWords) ? Says::kManual : Says::kNothing;
 }
 
 // The codes under which u rests, where it moves under another.
@@ -97,15 +93,11 @@ std::optional<std::size_t> mode_column(const std::vector<LayoutColumn>& columns,
 }
 
 double mode_code(std::string_view cell) {
-  std::string word;
-  for (const char c : cell) {
-    if (c != '"' && c != ' ') {
-      word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-  }
+  std::string word = lower_case(cell);
+  std::erase_if(word, [](char c) { return c == '"' || c == ' '; });
   if (const auto value = as_number(word); value >= 0.0) return *value;
-  if (is_one_of(kAutomaticModes, word)) return kAutomatic;
-  return is_one_of(kManualModes, word) ? kManual : kNoMode;
+  if (is_one_of(word, kAutomaticModes)) return kAutomatic;
+  return is_one_of(word, kManualModes) ? kManual : kNoMode;
 }
 
 std::vector<SampleRange> manual_stretches(std::span<const double> codes,

@@ -55,14 +55,8 @@ constexpr std::array kBadBeginnings = {"false"sv, "falsch"sv,  "poor"sv,  "mauva
 constexpr std::array kYes = {"true"sv, "yes"sv,  "ja"sv,  "oui"sv, "si"sv,
                              "wahr"sv, "vrai"sv, "sim"sv, "x"sv,   "1"sv};
 
-template <std::size_t N>
-bool is_one(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-template <std::size_t N>
 bool begins_with_one(std::string_view word,
-                     const std::array<std::string_view, N>& beginnings) {
+                     std::span<const std::string_view> beginnings) {
   return std::any_of(beginnings.begin(), beginnings.end(),
                      [word](std::string_view b) { return word.starts_with(b); });
 }
@@ -71,23 +65,23 @@ bool begins_with_one(std::string_view word,
 
 bool is_quality_name(std::string_view key) {
   const std::string plain = folded(key);
-  return is_one(plain, kNames) || is_one(plain, kNamesOfBad);
+  return is_one_of(plain, kNames) || is_one_of(plain, kNamesOfBad);
 }
 
 bool marks_bad(const std::vector<std::string>& pieces) {
-  return !pieces.empty() && is_one(pieces.back(), kNamesOfBad);
+  return !pieces.empty() && is_one_of(pieces.back(), kNamesOfBad);
 }
 
 QualityWord quality_word(std::string_view word_of_any_case) {
   // {fault} as Niagara writes it.
   const std::string word = folded(without_brackets(word_of_any_case));
-  if (is_one(word, kUncertain) || begins_with_one(word, kUncertainBeginnings)) {
+  if (is_one_of(word, kUncertain) || begins_with_one(word, kUncertainBeginnings)) {
     return QualityWord::kUncertain;
   }
-  if (is_one(word, kBad) || begins_with_one(word, kBadBeginnings)) {
+  if (is_one_of(word, kBad) || begins_with_one(word, kBadBeginnings)) {
     return QualityWord::kBad;
   }
-  if (is_one(word, kGood) || begins_with_one(word, kGoodBeginnings)) {
+  if (is_one_of(word, kGood) || begins_with_one(word, kGoodBeginnings)) {
     return QualityWord::kGood;
   }
   return QualityWord::kUnknown;
@@ -116,7 +110,7 @@ bool is_quality_code(double number) {
 }
 
 bool says_yes(std::string_view word) {
-  return is_one(word, kYes);
+  return is_one_of(word, kYes);
 }
 
 }  // namespace workbench

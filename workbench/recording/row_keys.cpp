@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
@@ -132,7 +133,7 @@ std::vector<std::size_t> row_keys(const CsvLayout& layout,
     divide(group, columns[i].same_as);
   }
   const auto names_a_part = [&columns](std::size_t key) {
-    return std::find(kParts.begin(), kParts.end(), columns[key].name.key) != kParts.end();
+    return is_one_of(columns[key].name.key, kParts);
   };
   std::sort(keys.begin(), keys.end());
   std::stable_partition(keys.begin(), keys.end(),

@@ -18,10 +18,9 @@ std::vector<std::string> words_in(std::string_view text) {
   std::vector<std::string> out;
   bool lower = false;  // the letter before
   for (const char c : text) {
-    const bool capital = c >= 'A' && c <= 'Z';
-    if (out.empty() || (capital && lower)) out.emplace_back();
-    out.back() += capital ? static_cast<char>(c + 32) : c;
-    lower = c >= 'a' && c <= 'z';
+    if (out.empty() || (is_capital(c) && lower)) out.emplace_back();
+    out.back() += lower_case(c);
+    lower = is_small(c);
   }
   return out;
 }
@@ -199,8 +198,7 @@ bool is_terminal(std::string_view piece) {
   const std::size_t digits = piece.find_first_of("0123456789");
   if (digits == std::string_view::npos) return false;
   const std::string_view letters = piece.substr(0, digits);
-  return letters.size() < 2 ||
-         std::find(kTerminals.begin(), kTerminals.end(), letters) != kTerminals.end();
+  return letters.size() < 2 || is_one_of(letters, kTerminals);
 }
 
 // Two names that do not say of which loop they are, or one that does not.
@@ -230,10 +228,9 @@ bool may_be(const NamedSignal& candidate, Column column) {
   constexpr std::array kOpen = {"input"sv, "in"sv, "eingang"sv, "entree"sv, "eing"sv};
   const ColumnName& name = candidate.name;
   const Part hint = hint_of(name);
-  const bool open = std::any_of(
-      name.pieces.begin(), name.pieces.end(), [&kOpen](const std::string& piece) {
-        return std::find(kOpen.begin(), kOpen.end(), piece) != kOpen.end();
-      });
+  const bool open = std::ranges::any_of(name.pieces, [&kOpen](const std::string& piece) {
+    return is_one_of(piece, kOpen);
+  });
   if (open) return false;
   return column == Column::u ? hint == Part::kU : hint == Part::kNone || hint == Part::kY;
 }
@@ -292,7 +289,7 @@ bool is_extreme(const ColumnName& name) {
   const std::size_t begin = name.text.find_last_of(" ([{|._-:/", end - 1) + 1;
   const std::string last =
       lower_case(std::string_view(name.text).substr(begin, end - begin));
-  return std::find(kExtremes.begin(), kExtremes.end(), last) != kExtremes.end();
+  return is_one_of(last, kExtremes);
 }
 
 std::vector<std::size_t> suggested_signals(const std::vector<NamedSignal>& candidates,

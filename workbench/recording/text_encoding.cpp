@@ -10,6 +10,7 @@
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/json_table.hpp"
 #include "workbench/recording/labview_export.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_protocol.hpp"
 #include "workbench/recording/logfmt.hpp"
 #include "workbench/recording/record_blocks.hpp"
@@ -96,9 +97,8 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
 
 bool begins_without_case(std::string_view text, std::string_view what) {
   return text.size() >= what.size() &&
-         std::equal(what.begin(), what.end(), text.begin(), [](char a, char b) {
-           return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b + 32) : b);
-         });
+         std::equal(what.begin(), what.end(), text.begin(),
+                    [](char a, char b) { return a == lower_case(b); });
 }
 
 std::string_view from_first(std::string_view text, std::size_t at) {

@@ -1,7 +1,6 @@
 #include "workbench/recording/time_place.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "wire/text.hpp"

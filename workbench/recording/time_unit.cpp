@@ -86,12 +86,10 @@ double seconds_of_unit(std::string_view unit) {
 }
 
 double unit_in_name(std::string_view name) {
-  const auto is_lower = [](char c) { return c >= 'a' && c <= 'z'; };
-  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
   std::size_t at = name.size();
-  while (at > 0 && (is_lower(name[at - 1]) || is_upper(name[at - 1]))) {
+  while (at > 0 && (is_small(name[at - 1]) || is_capital(name[at - 1]))) {
     --at;
-    if (at > 0 && is_upper(name[at]) && is_lower(name[at - 1])) break;
+    if (at > 0 && is_capital(name[at]) && is_small(name[at - 1])) break;
   }
   return at > 0 ? seconds_of_unit(name.substr(at)) : 0;
 }

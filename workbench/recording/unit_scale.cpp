@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "workbench/recording/letters.hpp"
+
 namespace workbench {
 namespace {
 
@@ -18,12 +20,9 @@ constexpr std::array<std::pair<char, double>, 4> kPrefixes = {
 
 // The base of a unit and its prefix as a number.
 std::optional<std::pair<std::string_view, double>> taken_apart(std::string_view unit) {
-  const auto is_base = [](std::string_view text) {
-    return std::find(kBases.begin(), kBases.end(), text) != kBases.end();
-  };
-  if (is_base(unit)) return std::pair(unit, 1.0);
+  if (is_one_of(unit, kBases)) return std::pair(unit, 1.0);
   for (const auto& [letter, factor] : kPrefixes) {
-    if (unit.starts_with(letter) && is_base(unit.substr(1))) {
+    if (unit.starts_with(letter) && is_one_of(unit.substr(1), kBases)) {
       return std::pair(unit.substr(1), factor);
     }
   }

@@ -24,12 +24,6 @@ std::optional<std::int32_t> day_number(int year, int month, int day) {
   return std::chrono::sys_days(date).time_since_epoch().count();
 }
 
-// Letters, bytes beyond ASCII included.
-constexpr bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-         static_cast<unsigned char>(c) >= 0x80;
-}
-
 struct Number {
   int value = 0;
   std::size_t digits = 0;
@@ -79,12 +73,11 @@ class TimeText {
 
   std::string take_word() {
     std::string lower;
-    while (is_letter(peek()) && lower.size() < 16) {
+    while (is_letter_byte(peek()) && lower.size() < 16) {
       const char c = text_[at_++];
-      lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32)
-               : c == '\xC4'        ? '\xE4'  // Latin-1
+      lower += c == '\xC4' ? '\xE4'  // Latin-1
                : c == '\x84' && !lower.empty() && lower.back() == '\xC3' ? '\xA4'
-                                                                         : c;
+                                                                         : lower_case(c);
     }
     return lower;
   }
@@ -122,7 +115,7 @@ class TimeText {
   }
 
   bool read_date() {
-    if (is_letter(peek())) return read_month_first();
+    if (is_letter_byte(peek())) return read_month_first();
     std::size_t digits = 0;
     while (is_digit(peek(digits))) ++digits;
     if (digits == 8 || digits == 12 || digits == 14 || digits == 17) {
@@ -134,7 +127,7 @@ class TimeText {
     if (mark != '-' && mark != '/' && mark != '.' && mark != ' ') return false;
     ++at_;
     skip_blanks();
-    if (is_letter(peek())) return read_named_month(first, mark);
+    if (is_letter_byte(peek())) return read_named_month(first, mark);
     if (mark == ' ') return false;
     const Number second = take_number(first.digits == 4 && mark != '.' ? 3 : 2);
     if (second.digits == 3) return know_day_of_year(first.value, second.value);

@@ -8,12 +8,8 @@
 namespace workbench {
 namespace {
 
-constexpr bool is_capital(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 constexpr bool is_letter(char c) {
-  return is_capital(c) || (c >= 'a' && c <= 'z');
+  return is_capital(c) || is_small(c);
 }
 
 class ZoneText {

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 9> kEndings = {
 
 bool is_recording_name(const fs::path& path) {
   const std::string ending = lower_case(path.extension().string());
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+  return is_one_of(ending, kEndings);
 }
 
 bool is_hidden(const fs::path& path) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {
@@ -9,6 +11,16 @@ TEST(Letters, AreThoseOfAscii) {
   EXPECT_EQ(lower_case("AZaz@[09Ä"), "azaz@[09Ä");
   EXPECT_TRUE(is_digit('0') && is_digit('9'));
   EXPECT_FALSE(is_digit('/') || is_digit(':') || is_digit('\xB2'));
+  EXPECT_TRUE(is_capital('A') && is_capital('Z') && is_small('a') && is_small('z'));
+  EXPECT_FALSE(is_capital('[') || is_capital('@') || is_small('`') || is_small('{'));
+  EXPECT_TRUE(is_letter_byte('A') && is_letter_byte('z') && is_letter_byte('\xC4'));
+  EXPECT_FALSE(is_letter_byte('1') || is_letter_byte('_'));
+}
+
+TEST(Letters, FindAWordInAList) {
+  constexpr std::array<std::string_view, 2> kWords = {"auto", "man"};
+  EXPECT_TRUE(is_one_of("man", kWords));
+  EXPECT_FALSE(is_one_of("ma", kWords) || is_one_of("", kWords));
 }
 
 }  // namespace
