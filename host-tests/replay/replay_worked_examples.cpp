@@ -6,7 +6,6 @@
 
 #include "support/base/recordings.hpp"
 #include "workbench/model/search/ladder.hpp"
-#include "workbench/recording/csv.hpp"
 #include "workbench/recording/source.hpp"
 
 namespace workbench {

@@ -10,8 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"

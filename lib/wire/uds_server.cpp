@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "wire/crc32.hpp"
-#include "wire/history_row.hpp"
 #include "wire/sha256.hpp"
 #include "wire/uds_reply.hpp"
 

@@ -5,7 +5,6 @@
 #include "python/core/bindings.hpp"
 #include "python/core/held_recording.hpp"
 #include "python/core/long_work.hpp"
-#include "workbench/analysis/identification_json.hpp"
 #include "workbench/cli/output_file.hpp"
 #include "workbench/simulate/recording_csv.hpp"
 #include "workbench/simulate/scenarios.hpp"

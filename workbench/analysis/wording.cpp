@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "workbench/recording/resample.hpp"
-
 namespace workbench {
 
 std::string_view headline(ident::Verdict verdict, ident::Reason reason,

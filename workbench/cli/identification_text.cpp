@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "workbench/analysis/votes.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"

@@ -5,7 +5,6 @@
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
-#include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/identification_text.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/model/base/joined.hpp"

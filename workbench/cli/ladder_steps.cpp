@@ -1,7 +1,5 @@
 #include "workbench/cli/ladder_steps.hpp"
 
-#include <utility>
-
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/recording/resample.hpp"

@@ -1,6 +1,5 @@
 #include "workbench/cli/unused_columns.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <optional>
 #include <stdexcept>

@@ -2,25 +2,23 @@
 
 #include <vector>
 
-#include "workbench/analysis/wording.hpp"
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/harm.hpp"
 #include "workbench/recording/filled.hpp"
-#include "workbench/recording/resample.hpp"
 #include "workbench/report/texts.hpp"
 
 namespace workbench {
 namespace {
 
 // The codes of the effects of the model, and what their addition speaks for.
-struct Told {
+struct ToldCodes {
   std::vector<std::string> found;
   std::vector<std::string> doubtful;
   std::vector<std::string> harmful;
 };
 
-Told told_of(const ModelReport& report) {
-  Told out;
+ToldCodes told_of(const ModelReport& report) {
+  ToldCodes out;
   for (const std::string& code : report.comparison.effects) {
     const HistoryStep* harm = harm_of(report.model, code);
     (harm == nullptr      ? out.found

@@ -9,7 +9,6 @@
 #include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/time_parts.hpp"
-#include "workbench/screen/found_files.hpp"
 #include "workbench/screen/text_blocks.hpp"
 
 namespace workbench {

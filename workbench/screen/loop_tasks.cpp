@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/tag_file.hpp"
 #include "workbench/screen/found_files.hpp"
 
 namespace workbench {

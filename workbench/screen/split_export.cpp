@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "workbench/recording/cell_reader.hpp"
-#include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/tag_stream.hpp"

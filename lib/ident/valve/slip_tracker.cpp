@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "ident/base/elementary.hpp"
-
 namespace ident {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "workbench/model/judge/helpful_load.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "workbench/effects/effects.hpp"

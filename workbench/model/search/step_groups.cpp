@@ -1,7 +1,6 @@
 #include "workbench/model/search/step_groups.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/choice.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "workbench/analysis/uncut_parts.hpp"
-#include "workbench/analysis/votes.hpp"
 #include "workbench/model/judge/derived.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"

@@ -2,7 +2,6 @@
 
 #include "ident/base/limits.hpp"
 #include "ident/base/nnls.hpp"
-#include "ident/process/process_regression.hpp"
 #include "ident/two_path/lagged_gram.hpp"
 
 namespace ident {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "ident/base/nnls.hpp"
-#include "support/ident/problems.hpp"
 
 namespace ident {
 namespace {

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "workbench/simulate/cycles.hpp"
-#include "workbench/simulate/he_valve.hpp"
-#include "workbench/simulate/paper_example.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace workbench {

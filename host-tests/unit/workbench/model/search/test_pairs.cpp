@@ -10,7 +10,6 @@
 #include <string>
 
 #include "support/workbench/setpoint_loop.hpp"
-#include "workbench/effects/effects.hpp"
 #include "workbench/model/search/candidates.hpp"
 #include "workbench/model/search/ladder.hpp"
 
