@@ -88,17 +88,35 @@ Signals changes_in(const Signals& all, std::span<const SampleRange> stretches) {
   return out;
 }
 
-// Of u, by what stands from `first` on.
-double squares_left(const Signals& s, std::size_t first) {
+// u by what stands from `first` on: its coefficients, and the squares that are left.
+struct Made {
+  std::vector<double> coefficients;
+  double left = 0;
+};
+
+Made made_of(const Signals& s, std::size_t first) {
   const std::vector<Block> rows = {{0, s[kU].size(), true}};
   const std::vector<std::span<const double>> columns(
       s.begin() + static_cast<std::ptrdiff_t>(first), s.end());
-  const std::vector<double> c = least_squares(columns, s[kU], rows);
+  Made out{least_squares(columns, s[kU], rows)};
   std::vector<double> left = s[kU];
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    for (std::size_t k = 0; k < left.size(); ++k) left[k] -= c[i] * columns[i][k];
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      left[k] -= out.coefficients[i] * columns[i][k];
+    }
   }
-  return sum_of_squares(left, rows);
+  out.left = sum_of_squares(left, rows);
+  return out;
+}
+
+// Whether the sum of y has its part in u, as in a controller that takes a load away for
+// good. What a process that is moved by hand makes of u has none, or one of the other
+// sign.
+bool integrates_in(const Signals& s) {
+  constexpr double kMuch = 1.5;
+  const Made with = made_of(s, kSum);
+  const bool one_sign = with.coefficients[0] * with.coefficients[1] > 0;
+  return one_sign && made_of(s, kLevel).left > kMuch * with.left;
 }
 
 // Whether u moves by a few amounts only, up to a hundredth of the largest.
@@ -121,8 +139,8 @@ bool switches_in(std::span<const double> changes) {
 }
 
 double share_of(const Signals& s) {
-  const double all = squares_left(s, kTimes);
-  return all > 0 ? 1 - squares_left(s, kSum) / all : 0;
+  const double all = made_of(s, kTimes).left;
+  return all > 0 ? 1 - made_of(s, kSum).left / all : 0;
 }
 
 }  // namespace
@@ -137,8 +155,9 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
   for (const SampleRange& at : stretches) samples += at.last - at.first;
   if (static_cast<double>(samples) < kFewest * static_cast<double>(u.size())) return {};
   const Signals all = signals_of(u, y, pieces);
+  const Signals levels = levels_in(all, stretches);
   const Signals changes = changes_in(all, stretches);
-  return {share_of(levels_in(all, stretches)), share_of(changes),
+  return {share_of(levels), share_of(changes), integrates_in(levels),
           switches_in(changes[kU])};
 }
 
@@ -146,8 +165,9 @@ bool follows_law(const LawShare& share) {
   constexpr double kMost = 0.9;
   constexpr double kNearlyAll = 0.99;
   constexpr double kSome = 0.2;
-  const bool may_be_relay = share.switches && share.of_changes <= kMost;
-  return share.of_changes > kSome && share.of_level > (may_be_relay ? kNearlyAll : kMost);
+  if (share.of_changes > kMost) return share.of_level > kMost;
+  return share.of_changes > kSome && share.integrates &&
+         share.of_level > (share.switches ? kNearlyAll : kMost);
 }
 
 }  // namespace workbench

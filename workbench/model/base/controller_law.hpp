@@ -14,7 +14,9 @@ namespace workbench {
 struct LawShare {
   double of_level = 0;
   double of_changes = 0;
-  bool switches = false;  ///< u moves by four amounts or fewer, as a relay moves it
+  bool integrates = false;  ///< the sum of y takes a third of what is left without it,
+                            ///< with the sign that y has
+  bool switches = false;    ///< u moves by four amounts or fewer, as a relay moves it
 };
 
 /// `u` and `y` of one length, 1 or more; `pieces` cover it, each with a setpoint of its
@@ -24,9 +26,10 @@ struct LawShare {
 
 /// (W31) True where u holds nothing but such a law: a tenth of its squares at most are of
 /// setpoints, hands, feedforward or a relay, and as little of its changes. A controller
-/// whose gain depends on the error, or that reads another filter, leaves more of its
-/// changes: up to four fifths count as such unless u switches; where u is rounded and may
-/// seem to, a hundredth of its squares at most.
+/// whose gain depends on the error, or that reads another filter, and one whose output is
+/// rounded leave up to four fifths of its changes: they are known by their integrating
+/// part. Where u switches, or is rounded so that it seems to, a hundredth of its squares
+/// at most.
 [[nodiscard]] bool follows_law(const LawShare& share);
 
 }  // namespace workbench

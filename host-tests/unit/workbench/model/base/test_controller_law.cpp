@@ -78,9 +78,11 @@ TEST(ControllerLaw, SeesWhatElseMovesU) {
   std::vector<double> by_hand(kSamples);
   for (std::size_t k = 0; k < kSamples; ++k) by_hand[k] = k / 100 % 2 == 0 ? 40 : 50;
   EXPECT_FALSE(follows_law(law_share(by_hand, y, whole)));
-  EXPECT_FALSE(follows_law({.of_level = 0.98, .of_changes = 0.8, .switches = true}));
-  EXPECT_TRUE(follows_law({.of_level = 0.995, .of_changes = 0.8, .switches = true}))
-      << "u is rounded";
+  LawShare relay{
+      .of_level = 0.98, .of_changes = 0.8, .integrates = true, .switches = true};
+  EXPECT_FALSE(follows_law(relay));
+  relay.of_level = 0.995;
+  EXPECT_TRUE(follows_law(relay)) << "u is rounded";
   const std::vector<double> still(kSamples, 50.0);
   EXPECT_EQ(law_share(still, y, whole).of_level, 0);
 }
@@ -97,23 +99,42 @@ TEST(ControllerLaw, KnowsOneWhoseGainGrowsWithTheError) {
   }
   const LawShare share = law_share(u, y, whole);
   EXPECT_LT(share.of_level, 0.99);
+  EXPECT_TRUE(share.integrates);
   EXPECT_FALSE(share.switches);
   EXPECT_TRUE(follows_law(share));
 }
 
-TEST(ControllerLaw, KnowsARelayAndOneThatFloatsByTheirMoves) {
+// A process that follows ramps makes y of u nearly as a controller makes u of y.
+TEST(ControllerLaw, TellsAHandThatMovesUInRampsByWhatItDoesNotSum) {
+  const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
+  std::vector<double> u;
+  std::vector<double> y;
+  double at = 50;
+  double level = 50;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    y.push_back(level);
+    const double wanted = k / 100 % 2 == 0 ? 40 : 60;
+    at += std::clamp(wanted - at, -0.3, 0.3);
+    u.push_back(at);
+    level += (at - level) / 15;
+  }
+  const LawShare share = law_share(u, y, whole);
+  EXPECT_GT(share.of_level, 0.9);
+  EXPECT_GT(share.of_changes, 0.2);
+  EXPECT_FALSE(share.integrates);
+  EXPECT_FALSE(follows_law(share));
+}
+
+TEST(ControllerLaw, KnowsOneThatFloatsByItsMoves) {
   const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
   const std::vector<double> y = pushed();
-  std::vector<double> relay;
-  std::vector<double> floating;
+  std::vector<double> u;
   double at = 30;
   for (const double value : y) {
-    relay.push_back(value > 50 ? 30 : 70);
     if (std::abs(value - 50) > 1) at += value > 50 ? -0.25 : 0.25;
-    floating.push_back(at);
+    u.push_back(at);
   }
-  EXPECT_TRUE(law_share(relay, y, whole).switches);
-  EXPECT_TRUE(law_share(floating, y, whole).switches);
+  EXPECT_TRUE(law_share(u, y, whole).switches);
   EXPECT_FALSE(law_share(answer(y, whole), y, whole).switches);
 }
 
