@@ -90,9 +90,13 @@ std::string samples_text(const Recording& recording) {
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up,
                         const SearchSoFar& so_far, const std::string& kept) {
-  std::string text = recording.name + ": " + samples_text(recording) +
-                     "\n\n  step                            error     validation\n";
-  text += steps_text(result.steps);
+  const std::string mind = caution_text(result.model, result.quality.fit_percent,
+                                        result.last.left_to_controller);
+  std::string text = recording.name + ": " + samples_text(recording) + "\n\n";
+  // Whose model this is, is to be known before its steps are read.
+  if (result.last.left_to_controller) text += mind + '\n';
+  text += "  step                            error     validation\n" +
+          steps_text(result.steps);
   if (result.searched) {
     text += '\n' + searched_text(*result.searched,
                                  "the errors above. The fit below is "
@@ -111,9 +115,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
     text += '\n' + term.effect + '\n' + effect_table(term, 2);
   }
   text += "\nprocess\n" + parameter_table(result.model.process, 2);
-  const std::string mind = caution_text(result.model, result.quality.fit_percent,
-                                        result.last.left_to_controller);
-  if (!mind.empty()) text += '\n' + mind;
+  if (!mind.empty() && !result.last.left_to_controller) text += '\n' + mind;
   const std::string idle = candidates_text(never_exercised(result));
   if (!idle.empty()) text += "\nNever exercised by this recording:\n" + idle;
   return text + '\n' + kept;

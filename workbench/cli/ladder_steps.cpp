@@ -1,5 +1,8 @@
 #include "workbench/cli/ladder_steps.hpp"
 
+#include <set>
+#include <utility>
+
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/recording/resample.hpp"
@@ -49,9 +52,12 @@ std::string steps_text(const std::vector<LadderStep>& steps) {
   std::string text;
   double before = 0;
   Row row;
+  std::set<std::string> seen;  // what came and went
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (i + 1 < steps.size() && takes_back(steps[i + 1], steps[i])) {
-      text += "      " + steps[i].effect + " is seen, but takes no error away\n";
+      if (seen.insert(steps[i].effect).second) {
+        text += "      " + steps[i].effect + " is seen, but takes no error away\n";
+      }
       before = steps[++i].rmse_validation;
       continue;
     }

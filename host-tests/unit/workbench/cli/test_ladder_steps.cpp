@@ -67,5 +67,15 @@ TEST(LadderSteps, WhatCameAndWentHasNoErrors) {
   EXPECT_EQ(text.find("3.5"), std::string::npos) << text;
 }
 
+TEST(LadderSteps, WhatCameAndWentAgainIsToldOnce) {
+  const std::string text =
+      steps_text({step("process", 4), step("sensor.lag", 3.5),
+                  without("sensor.lag", 4, false), step("valve.backlash", 2),
+                  step("sensor.lag", 1.9), without("sensor.lag", 2, false)});
+  const std::string told = "sensor.lag is seen, but takes no error away";
+  EXPECT_NE(text.find(told), std::string::npos) << text;
+  EXPECT_EQ(text.find(told), text.rfind(told)) << text;
+}
+
 }  // namespace
 }  // namespace workbench::cli
