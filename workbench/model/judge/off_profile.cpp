@@ -63,6 +63,44 @@ bool is_told(const Fitter& fitter, const Fit& fit, const Effect& effect,
          fitter.without(fit, effect).error - fit.error > least_rise(fitter, fit);
 }
 
+// How the error rises from a fit when one of its parameters is held elsewhere and all
+// else is fitted again.
+class Profile {
+ public:
+  Profile(const Fitter& fitter, const Fit& fit, std::size_t slot)
+      : fitter_(fitter),
+        fit_(fit),
+        slot_(fit.slots[slot]),
+        at_(slot),
+        rise_(least_rise(fitter, fit)) {}
+
+  [[nodiscard]] bool rises_at(double value) const {
+    Fit moved = fit_;
+    moved.p[at_] = value;
+    const FreeRun::Held held{slot_.effect, std::string(slot_.parameter.name), value};
+    return fitter_.refine(moved, {&held, 1}).error - fit_.error > rise_;
+  }
+
+  // Where it begins to rise by more than noise on the way to `outside`, where it does.
+  [[nodiscard]] double end_towards(double outside) const {
+    constexpr int kHalvings = 5;
+    double out = to_search(slot_.parameter, outside);
+    double in = to_search(slot_.parameter, fit_.p[at_]);
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = (out + in) / 2;
+      (rises_at(from_search(slot_.parameter, middle)) ? out : in) = middle;
+    }
+    return from_search(slot_.parameter, out);
+  }
+
+ private:
+  const Fitter& fitter_;
+  const Fit& fit_;
+  const FreeRun::Slot& slot_;
+  std::size_t at_;
+  double rise_;
+};
+
 }  // namespace
 
 bool excludes_off(const Fitter& fitter, const Fit& fit, const FitIntervals& intervals,
@@ -77,33 +115,21 @@ bool holds_off(const Fit& fit, const FitIntervals& intervals, const Effect& effe
 
 bool end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
                     FitIntervals& intervals) {
-  constexpr int kHalvings = 5;
   const Told told = told_by(intervals, fit, effect);
   if (!is_told(fitter, fit, effect, told)) return false;
   if (told.excludes) return true;
-  const double rise = least_rise(fitter, fit);
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
-    const FreeRun::Slot& slot = fit.slots[i];
-    if (slot.effect != &effect || !is_smooth(slot.parameter)) continue;
-    const double off =
-        std::clamp(*slot.parameter.off, slot.parameter.low, slot.parameter.high);
-    double outside = to_search(slot.parameter, off);
-    double inside = to_search(slot.parameter, fit.p[i]);
-    for (int k = 0; k < kHalvings; ++k) {
-      const double middle = (outside + inside) / 2;
-      Fit moved = fit;
-      moved.p[i] = from_search(slot.parameter, middle);
-      const FreeRun::Held held{&effect, std::string(slot.parameter.name), moved.p[i]};
-      const double error = fitter.refine(moved, {&held, 1}).error;
-      (error - fit.error > rise ? outside : inside) = middle;
-    }
-    const double end = from_search(slot.parameter, outside);
+    const SearchedParameter& parameter = fit.slots[i].parameter;
+    if (fit.slots[i].effect != &effect || !is_smooth(parameter)) continue;
+    const Profile profile(fitter, fit, i);
+    const double off = std::clamp(*parameter.off, parameter.low, parameter.high);
+    const bool above = off < fit.p[i];
+    const double near = profile.end_towards(off);
+    const double most = above ? parameter.high : parameter.low;
+    const double far = profile.rises_at(most) ? profile.end_towards(most) : most;
     Interval& interval = intervals.searched[i];
-    if (off < fit.p[i]) {
-      interval.low = std::max(interval.low, end);
-    } else {
-      interval.high = std::min(interval.high, end);
-    }
+    interval.low = std::max(interval.low, above ? near : far);
+    interval.high = std::min(interval.high, above ? far : near);
   }
   return true;
 }

@@ -20,10 +20,10 @@ namespace workbench {
                              const Effect& effect);
 
 /// The same as excludes_off(), and ends `intervals` where the profile does: where those
-/// of the effect hold "off" although excludes_off(), they end at the value between the
-/// fitted one and "off" beyond which the error, with all else fitted again, rises by more
-/// than noise. Where the profile holds "off", too, they stay. Cost: some thorough
-/// searches where they hold it.
+/// of the effect hold "off" although excludes_off(), they end on both sides at the value
+/// beyond which the error, with all else fitted again, rises by more than noise. Where
+/// the profile holds "off", too, they stay. Cost: some thorough searches where they hold
+/// it.
 bool end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
                     FitIntervals& intervals);
 

@@ -37,8 +37,11 @@ TEST(OffProfile, EndsAnIntervalThatHoldsNoneThoughTheErrorDoesNot) {
   open_up(*fit, dead_time, intervals);
   EXPECT_TRUE(excludes_off(fitter, *fit, intervals, dead_time));
   end_by_profile(fitter, *fit, dead_time, intervals);
-  EXPECT_GT(told_of(*fit, dead_time, intervals).low, 3);
-  EXPECT_LT(told_of(*fit, dead_time, intervals).low, fit->searched_of(dead_time)[0]);
+  const Interval told = told_of(*fit, dead_time, intervals);
+  EXPECT_GT(told.low, 3);
+  EXPECT_LT(told.low, fit->searched_of(dead_time)[0]);
+  EXPECT_GT(told.high, fit->searched_of(dead_time)[0]);
+  EXPECT_LT(told.high, 12);
 }
 
 TEST(OffProfile, LeavesAnIntervalThatHoldsNoneWithTheError) {
