@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/rivals.hpp"
@@ -233,6 +234,29 @@ void name_unseen_ahead(const Fitter& fitter, std::vector<Trial>& trials,
   }
 }
 
+// What makes y follow u later, by a lag or by a dead time.
+bool is_delay(const Effect* effect) {
+  return effect == &effects::process_dead_time() ||
+         effect == &effects::process_second_lag() || effect == &effects::sensor_lag() ||
+         effect == &effects::valve_positioner_lag();
+}
+
+// (W33) That y comes later is told by the best one; not that it comes so by a lag where a
+// dead time leaves less, though its gain, under a load, may be chance. And the other way
+// round.
+void name_other_delay(const Fitter& fitter, std::vector<Trial>& trials, Trial& best) {
+  if (best.partner != nullptr || !is_delay(best.effect)) return;
+  for (Trial& trial : trials) {
+    const bool possible = trial.fit && trial.partner == nullptr && !accepted(trial) &&
+                          is_delay(trial.effect) && trial.visible && !trial.edge &&
+                          trial.objection.empty();
+    if (possible && fits_better(&trial, &best) && share_left(fitter, trial, best) < 1 &&
+        is_excited(*trial.effect, trial.excitation, trial.p_free_running)) {
+      name_beside(trial, best);
+    }
+  }
+}
+
 // Play that has shown no slip is not told from a stem that slips where u made no move
 // that would have shown it.
 bool may_slip(const Fitter& fitter, const Trial& best, const Trial& trial) {
@@ -332,6 +356,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
     for (Trial* other : others) other->candidate.status = CandidateStatus::kUndecided;
   }
   name_unseen_ahead(fitter, trials, colour, *best);
+  name_other_delay(fitter, trials, *best);
   if (slipping != nullptr && !accepted(*slipping)) name_beside(*slipping, *best);
   name_each_other(group);
   return best;

@@ -125,6 +125,28 @@ TEST(Choice, FewerParametersAndLessErrorComeFirst) {
   EXPECT_EQ(choose(fitter, trials), &trials[1]);
 }
 
+// That y comes later is told by either; a dead time that leaves less is not ruled out.
+TEST(Choice, ALagIsNotToldFromADeadTimeThatLeavesLess) {
+  test::SetpointLoop loop;
+  loop.delay = 8;
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& lag = effects::process_second_lag();
+  const Effect& delay = effects::process_dead_time();
+  const auto rivals = [&](const Effect& named, const Effect& other) {
+    std::vector<Trial> trials;
+    for (const Effect* effect : {&named, &other}) {
+      trials.push_back(accepted_trial(*effect, nullptr, fitter.start({effect})));
+    }
+    trials[1].candidate.status = CandidateStatus::kRejected;
+    trials[1].excitation.events = 99;
+    EXPECT_EQ(choose(fitter, trials), trials.data());
+    return trials[0].candidate.indistinguishable_from;
+  };
+  EXPECT_EQ(rivals(lag, delay), std::vector<std::string>{"process.dead_time"});
+  EXPECT_TRUE(rivals(delay, lag).empty());
+}
+
 // What one may be as well is not turned down in the same answer.
 TEST(Choice, WhatIsNamedAsARivalNamesItInTurnAndIsNotRejected) {
   Candidate other;
