@@ -33,7 +33,7 @@ void leave_to_controller(Candidate& candidate);
 /// between u and y without one, where nothing is told a load that swings.
 void leave_untold(Told told, std::vector<Trial>& trials);
 
-/// (W33) Leaves undecided what was accepted between u and y without a stem and in whose
+/// (W34) Leaves undecided what was accepted between u and y without a stem and in whose
 /// model u explains less of y, on the samples that judge, than a controller that answers
 /// the load could do.
 void leave_under_loads(const Fitter& fitter, std::vector<Trial>& trials);
