@@ -18,20 +18,23 @@ constexpr std::size_t kShortest = 8;  // samples of a stretch that is looked at
 using Signals = std::vector<std::vector<double>>;
 enum Signal : std::size_t { kU, kSum, kLevel, kChange, kTimes };
 
-// Of all samples.
+// Of all samples; `ahead`: the change of y is the one that follows.
 Signals signals_of(std::span<const double> u, std::span<const double> y,
-                   std::span<const Piece> pieces) {
+                   std::span<const Piece> pieces, bool ahead = false) {
   Signals out(kTimes + pieces.size(), std::vector<double>(u.size()));
   out[kU].assign(u.begin(), u.end());
   out[kLevel].assign(y.begin(), y.end());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
+    if (piece.last < piece.first + kShortest) continue;
     const double mean = mean_of(y.subspan(piece.first, piece.last - piece.first));
+    const std::size_t last = piece.last - 1;
     double sum = 0;
     for (std::size_t k = piece.first; k < piece.last; ++k) {
       sum += y[k] - mean;
       out[kSum][k] = sum;
-      out[kChange][k] = k > piece.first ? y[k] - y[k - 1] : 0;
+      const std::size_t to = ahead ? std::min(k + 1, last) : k;
+      out[kChange][k] = to > piece.first ? y[to] - y[to - 1] : 0;
       out[kTimes + i][k] = static_cast<double>(k - piece.first);
     }
   }
@@ -157,15 +160,19 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
   const Signals all = signals_of(u, y, pieces);
   const Signals levels = levels_in(all, stretches);
   const Signals changes = changes_in(all, stretches);
+  const Signals ahead = changes_in(signals_of(u, y, pieces, true), stretches);
+  constexpr double kFarLess = 0.5;
   return {share_of(levels), share_of(changes), integrates_in(levels),
-          switches_in(changes[kU])};
+          switches_in(changes[kU]),
+          made_of(ahead, kSum).left < kFarLess * made_of(changes, kSum).left};
 }
 
 bool follows_law(const LawShare& share) {
   constexpr double kMost = 0.9;
   constexpr double kNearlyAll = 0.99;
-  constexpr double kSome = 0.2;
-  if (share.of_changes > kMost) return share.of_level > kMost;
+  constexpr double kSome = 0.1;
+  if (share.leads) return false;
+  if (share.of_changes > kMost && !share.switches) return share.of_level > kMost;
   return share.of_changes > kSome && share.integrates &&
          share.of_level > (share.switches ? kNearlyAll : kMost);
 }

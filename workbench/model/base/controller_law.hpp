@@ -17,6 +17,7 @@ struct LawShare {
   bool integrates = false;  ///< the sum of y takes a third of what is left without it,
                             ///< with the sign that y has
   bool switches = false;    ///< u moves by four amounts or fewer, as a relay moves it
+  bool leads = false;       ///< the change of y that follows leaves less than half
 };
 
 /// `u` and `y` of one length, 1 or more; `pieces` cover it, each with a setpoint of its
@@ -27,9 +28,9 @@ struct LawShare {
 /// (W31) True where u holds nothing but such a law: a tenth of its squares at most are of
 /// setpoints, hands, feedforward or a relay, and as little of its changes. A controller
 /// whose gain depends on the error, or that reads another filter, and one whose output is
-/// rounded leave up to four fifths of its changes: they are known by their integrating
+/// rounded leave up to nine tenths of its changes: they are known by their integrating
 /// part. Where u switches, or is rounded so that it seems to, a hundredth of its squares
-/// at most.
+/// at most. Never where u leads: a process that follows nearly without noise.
 [[nodiscard]] bool follows_law(const LawShare& share);
 
 }  // namespace workbench

@@ -94,8 +94,8 @@ TEST(ControllerLaw, KnowsOneWhoseGainGrowsWithTheError) {
   double sum = 30;
   for (const double value : y) {
     const double error = 50 - value;
-    sum += 0.01 * error;
-    u.push_back(sum + 0.2 * error * std::abs(error));
+    sum += 0.03 * error;
+    u.push_back(sum + 0.1 * error * std::abs(error));
   }
   const LawShare share = law_share(u, y, whole);
   EXPECT_LT(share.of_level, 0.99);
@@ -122,6 +122,21 @@ TEST(ControllerLaw, TellsAHandThatMovesUInRampsByWhatItDoesNotSum) {
   EXPECT_GT(share.of_level, 0.9);
   EXPECT_GT(share.of_changes, 0.2);
   EXPECT_FALSE(share.integrates);
+  EXPECT_FALSE(follows_law(share));
+}
+
+TEST(ControllerLaw, TellsAProcessThatFollowsSmoothlyByTheNextChangeOfY) {
+  const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
+  const std::vector<double> u = pushed();
+  std::vector<double> y;
+  double level = 50;
+  for (const double value : u) {
+    y.push_back(level);
+    level += (value - level) / 15;
+  }
+  const LawShare share = law_share(u, y, whole);
+  EXPECT_GT(share.of_changes, 0.9);
+  EXPECT_TRUE(share.leads);
   EXPECT_FALSE(follows_law(share));
 }
 
