@@ -72,9 +72,9 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
       kStemSearch ? result_.evidence.ladder : closed_loop().finding();
   if (options_.pool != nullptr && !result_.health.compressed &&
       !repeats(result_.evidence.cycle, found.nats) &&
+      !keeps_foreign_time(result_.evidence.pace) &&
       !(kStemSearch &&
-        (few_levels(result_.loop) || keeps_foreign_time(result_.evidence.pace) ||
-         outweighs(result_.evidence.bounded, found.nats)))) {
+        (few_levels(result_.loop) || outweighs(result_.evidence.bounded, found.nats)))) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight);
   }
   result_.detectable_band = found.detectable_band * u_range();

@@ -68,6 +68,9 @@ inline constexpr bool kStemSearch = false;
 inline constexpr bool kStemSearch = !kSmallSizes;
 #endif
 
+/// Whether strokes of u are compared with a foreign time (E18).
+inline constexpr bool kStrokePace = !kSmallSizes;
+
 /// Highest number of output lags a_1 … a_na of the process, equation (1).
 inline constexpr int kMaxNa = kSmallSizes ? 3 : 4;
 /// Highest number of input lags b_1 … b_nb of the process, equation (1).

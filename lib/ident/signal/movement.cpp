@@ -53,7 +53,7 @@ Movement<Real> measure_movement(std::span<const Real> u,
     found[k].value = std::abs(found[k + 1].value - found[k].value);
     found[k].index = found[k + 1].index - found[k].index;
   }
-  if constexpr (kStemSearch) {
+  if constexpr (kStrokePace) {
     movement.pace = measure_pace<Real>(std::span(found).first(ways));
   }
   const auto median = [&] {

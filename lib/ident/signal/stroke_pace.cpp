@@ -52,7 +52,7 @@ StrokePace<Real, true> measure_pace(std::span<const Reversal<Real>> strokes) {
 
 template <class Real>
 bool keeps_foreign_time(const StrokePace<Real>& pace) {
-  if constexpr (kStemSearch) {
+  if constexpr (kStrokePace) {
     if (pace.strokes < kFewestStrokes) {
       return false;
     }

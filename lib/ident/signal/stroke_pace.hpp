@@ -8,9 +8,9 @@
 
 namespace ident {
 
-/// How the strokes of a window differ among those of their own direction. Nothing where
-/// no stem is searched (kStemSearch), for lack of flash.
-template <class Real, bool kKept = kStemSearch>
+/// How the strokes of a window differ among those of their own direction. Nothing with
+/// the small sizes (kStrokePace).
+template <class Real, bool kKept = kStrokePace>
 struct StrokePace {
   int strokes = 0;    ///< that were compared
   Real spread = 0;    ///< standard deviation of their durations over the mean

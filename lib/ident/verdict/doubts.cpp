@@ -88,7 +88,7 @@ bool repeats(const Evidence<Real>& e) {
 
 template <class Real>
 Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
-  if (!kStemSearch || !is_fault(verdict_of(found))) {
+  if (!kStrokePace || !is_fault(verdict_of(found))) {
     return found;
   }
   const bool load = (keeps_foreign_time(e.pace) && !leaves_little(e)) ||

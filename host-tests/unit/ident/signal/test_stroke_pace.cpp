@@ -27,7 +27,7 @@ Strokes strokes_of(int count, double spread, double together) {
 
 bool keeps(const Strokes& strokes) {
   StrokePace<double> pace;
-  if constexpr (kStemSearch) pace = measure_pace<double>(strokes);
+  if constexpr (kStrokePace) pace = measure_pace<double>(strokes);
   return keeps_foreign_time(pace);
 }
 
@@ -39,7 +39,7 @@ TEST(StrokePace, MeasuresEachDirectionByItself) {
 }
 
 TEST(StrokePace, OfAForeignTimeGoesFartherWhereItLastsLonger) {
-  EXPECT_EQ(keeps(strokes_of(40, 0.05, 0.8)), kStemSearch);
+  EXPECT_EQ(keeps(strokes_of(40, 0.05, 0.8)), kStrokePace);
   EXPECT_FALSE(keeps(strokes_of(40, 0.05, -0.5)));
   EXPECT_FALSE(keeps(strokes_of(40, 0.05, 0)));
   EXPECT_FALSE(keeps(strokes_of(40, 0.25, 0.8))) << "what disturbs it makes it vary";

@@ -236,7 +236,7 @@ TEST(Doubts, CountTheBestStemThereIs) {
 }
 
 TEST(Doubts, LeaveAFaultOpenWhereStrokesKeepAForeignTime) {
-  if constexpr (kStemSearch) {
+  if constexpr (kStrokePace) {
     Evidence<double> e = sticking();
     e.error_ratio = 4;
     e.fit_percent = 95;
