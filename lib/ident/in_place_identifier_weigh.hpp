@@ -73,8 +73,8 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   if (options_.pool != nullptr && !result_.health.compressed &&
       !repeats(result_.evidence.cycle, found.nats) &&
       !keeps_foreign_time(result_.evidence.pace) &&
-      !(kStemSearch &&
-        (few_levels(result_.loop) || outweighs(result_.evidence.bounded, found.nats)))) {
+      !(kStemSearch && (needs_u(result_.evidence) || few_levels(result_.loop) ||
+                        outweighs(result_.evidence.bounded, found.nats)))) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight);
   }
   result_.detectable_band = found.detectable_band * u_range();

@@ -1,5 +1,7 @@
 #include "ident/verdict/doubts.hpp"
 
+#include <algorithm>
+
 #include "ident/evidence/stem_search.hpp"
 
 namespace ident {
@@ -12,10 +14,15 @@ constexpr Threshold kUnconfirmed = Threshold(1.5);
 // ends of lines, and where the last point is held.
 constexpr Threshold kFarApart = Threshold(3);
 constexpr Threshold kHeldFarApart = Threshold(6);
-// Nats of the remembered cycle that are worth a mention, and how many times as many a
-// stem must have.
+// Nats of the remembered cycle that are worth a mention, and what a stem must have beside
+// them: so many more, and so many times as many.
 constexpr Threshold kRemembered = Threshold(20);
+constexpr Threshold kNatsAhead = Threshold(20);
 constexpr Threshold kTimesAhead = Threshold(1.5);
+// Nats of the remembered cycle that is told of any stem, and how many times as many nats
+// as the best stem alone one may have beside u then.
+constexpr Threshold kClear = Threshold(60);
+constexpr Threshold kTimesBeside = Threshold(1.3);
 // Nats of a bounded stem over those of the best one that sticks.
 constexpr Threshold kTimesBounded = Threshold(1.2);
 // What a limit cycle that nothing disturbs has running free: squared error of the linear
@@ -70,6 +77,12 @@ Reason doubt_compressed(Reason found, const Evidence<Real>& e,
 }
 
 template <class Real>
+bool needs_u(const Evidence<Real>& e) {
+  return kStemSearch && exact(e.cycle.nats) > kClear &&
+         exact(e.beside_u.nats) > kTimesBeside * exact(best_nats(e));
+}
+
+template <class Real>
 bool bends(const Evidence<Real>& e) {
   return kStemSearch &&
          exact(e.beside_u.nats) > Threshold(ClosedLoopEvidence<double>::kBends);
@@ -78,7 +91,8 @@ bool bends(const Evidence<Real>& e) {
 template <class Real>
 bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats) {
   const Threshold clock = exact(cycle.nats);
-  return kStemSearch && clock > kRemembered && exact(stem_nats) < kTimesAhead * clock;
+  return kStemSearch && clock > kRemembered &&
+         exact(stem_nats) < std::max(clock + kNatsAhead, kTimesAhead * clock);
 }
 
 template <class Real>
@@ -92,7 +106,7 @@ Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
     return found;
   }
   const bool load = (keeps_foreign_time(e.pace) && !leaves_little(e)) ||
-                    (repeats(e) && !leaves_nothing(e));
+                    (repeats(e) && !leaves_nothing(e)) || needs_u(e);
   return load ? Reason::kLoadRepeats : found;
 }
 
@@ -172,6 +186,7 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
 #define STICKBAND_INSTANTIATE(Real)                                                \
   template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&,            \
                                          const RecordHealth<Real>&);               \
+  template bool needs_u<Real>(const Evidence<Real>&);                              \
   template bool bends<Real>(const Evidence<Real>&);                                \
   template bool repeats<Real>(const RememberedCycle<Real>&, Real);                 \
   template bool repeats<Real>(const Evidence<Real>&);                              \

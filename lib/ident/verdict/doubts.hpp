@@ -19,6 +19,10 @@ template <class Real>
 [[nodiscard]] Reason doubt_compressed(Reason found, const Evidence<Real>& evidence,
                                       const RecordHealth<Real>& health);
 
+/// Whether the best stem needs u beside it where y clearly keeps a clock (E15, E17): it
+/// remembers where a load stands that switches, and the valve follows.
+template <class Real>
+[[nodiscard]] bool needs_u(const Evidence<Real>& evidence);
 /// Whether a stem tells so much beside u that y does not follow from u as the detectable
 /// band (E12) supposes (E17).
 template <class Real>
@@ -34,7 +38,8 @@ template <class Real>
 /// strokes of u keep a foreign time (stroke_pace.hpp) it is left open, unless the valve
 /// explains nearly all of y; where the lags of one cycle ago foretell y nearly as well as
 /// any stem does, it is left open, unless the valve leaves next to nothing of y: a limit
-/// cycle that nothing disturbs repeats exactly, too.
+/// cycle that nothing disturbs repeats exactly, too. So it is where the best stem needs
+/// u.
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 
