@@ -219,8 +219,8 @@ void leave_untold_loads_open(const Fitter& fitter, std::vector<Trial>& trials) {
 }
 
 // What was accepted and is not told, for what lies beside it.
-void leave_open(const Fitter& fitter, const Fit& base, Told told,
-                std::vector<Trial>& trials) {
+void leave_doubtful_open(const Fitter& fitter, const Fit& base, Told told,
+                         std::vector<Trial>& trials) {
   leave_untold(told, trials);
   leave_under_loads(fitter, trials);
   leave_fitted_only_open(fitter, base, trials);
@@ -330,7 +330,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
       end_in_time();
     }
   }
-  leave_open(fitter, out.base, told, trials);
+  leave_doubtful_open(fitter, out.base, told, trials);
   const Trial* best = choose(fitter, trials);
   report(fitter, trials, best, !last, seen, blind, out);
   return out;
