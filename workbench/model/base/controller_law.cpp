@@ -171,7 +171,7 @@ bool follows_law(const LawShare& share) {
   constexpr double kMost = 0.9;
   constexpr double kNearlyAll = 0.99;
   constexpr double kSome = 0.1;
-  if (share.leads) return false;
+  if (share.leads && !share.integrates) return false;
   if (share.of_changes > kMost && !share.switches) return share.of_level > kMost;
   return share.of_changes > kSome && share.integrates &&
          share.of_level > (share.switches ? kNearlyAll : kMost);

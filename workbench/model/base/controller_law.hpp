@@ -30,7 +30,8 @@ struct LawShare {
 /// whose gain depends on the error, or that reads another filter, and one whose output is
 /// rounded leave up to nine tenths of its changes: they are known by their integrating
 /// part. Where u switches, or is rounded so that it seems to, a hundredth of its squares
-/// at most. Never where u leads: a process that follows nearly without noise.
+/// at most. Never where u leads without such a part: a process that follows u nearly
+/// without noise.
 [[nodiscard]] bool follows_law(const LawShare& share);
 
 }  // namespace workbench
