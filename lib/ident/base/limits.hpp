@@ -61,7 +61,8 @@ inline constexpr bool kSlipTracker = true;
 
 /// The search for a stem that foretells y where none was found running free: under loads.
 /// Without it the best band of the ladder speaks for it, the same for both strokes. Left
-/// out on a bare board, whose 104 KiB of flash it would exceed by 2.
+/// out on a bare board, whose 104 KiB of flash it would exceed by 8, and whose 4 KiB of
+/// stack it would exceed, too.
 #ifdef STICKBAND_NO_STEM_SEARCH
 inline constexpr bool kStemSearch = false;
 #else
