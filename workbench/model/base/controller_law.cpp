@@ -18,23 +18,39 @@ constexpr std::size_t kShortest = 8;  // samples of a stretch that is looked at
 using Signals = std::vector<std::vector<double>>;
 enum Signal : std::size_t { kU, kSum, kLevel, kChange, kTimes };
 
-// Of all samples; `ahead`: the change of y is the one that follows.
+// From the sample before each in its piece, 0 for the first.
+std::vector<double> changes_of(std::span<const double> y, std::span<const Piece> pieces) {
+  std::vector<double> out(y.size());
+  for (const Piece& piece : pieces) {
+    for (std::size_t k = piece.first + 1; k < piece.last; ++k) out[k] = y[k] - y[k - 1];
+  }
+  return out;
+}
+
+// Those that follow each sample; at the end of a piece the last one again.
+std::vector<double> next_of(const std::vector<double>& changes,
+                            std::span<const Piece> pieces) {
+  std::vector<double> out = changes;
+  for (const Piece& piece : pieces) {
+    for (std::size_t k = piece.first + 1; k < piece.last; ++k) out[k - 1] = changes[k];
+  }
+  return out;
+}
+
+// Of all samples.
 Signals signals_of(std::span<const double> u, std::span<const double> y,
-                   std::span<const Piece> pieces, bool ahead = false) {
+                   std::span<const Piece> pieces) {
   Signals out(kTimes + pieces.size(), std::vector<double>(u.size()));
   out[kU].assign(u.begin(), u.end());
   out[kLevel].assign(y.begin(), y.end());
+  out[kChange] = changes_of(y, pieces);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
-    if (piece.last < piece.first + kShortest) continue;
     const double mean = mean_of(y.subspan(piece.first, piece.last - piece.first));
-    const std::size_t last = piece.last - 1;
     double sum = 0;
     for (std::size_t k = piece.first; k < piece.last; ++k) {
       sum += y[k] - mean;
       out[kSum][k] = sum;
-      const std::size_t to = ahead ? std::min(k + 1, last) : k;
-      out[kChange][k] = to > piece.first ? y[to] - y[to - 1] : 0;
       out[kTimes + i][k] = static_cast<double>(k - piece.first);
     }
   }
@@ -115,11 +131,10 @@ Made made_of(const Signals& s, std::size_t first) {
 // Whether the sum of y has its part in u, as in a controller that takes a load away for
 // good. What a process that is moved by hand makes of u has none, or one of the other
 // sign.
-bool integrates_in(const Signals& s) {
+bool integrates_in(const Signals& s, const Made& by_law) {
   constexpr double kMuch = 1.5;
-  const Made with = made_of(s, kSum);
-  const bool one_sign = with.coefficients[0] * with.coefficients[1] > 0;
-  return one_sign && made_of(s, kLevel).left > kMuch * with.left;
+  const bool one_sign = by_law.coefficients[0] * by_law.coefficients[1] > 0;
+  return one_sign && made_of(s, kLevel).left > kMuch * by_law.left;
 }
 
 // Whether u moves by a few amounts only, up to a hundredth of the largest.
@@ -141,9 +156,9 @@ bool switches_in(std::span<const double> changes) {
   return found <= kMost;
 }
 
-double share_of(const Signals& s) {
+double share_of(const Signals& s, const Made& by_law) {
   const double all = made_of(s, kTimes).left;
-  return all > 0 ? 1 - made_of(s, kSum).left / all : 0;
+  return all > 0 ? 1 - by_law.left / all : 0;
 }
 
 }  // namespace
@@ -157,14 +172,19 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
   std::size_t samples = 0;
   for (const SampleRange& at : stretches) samples += at.last - at.first;
   if (static_cast<double>(samples) < kFewest * static_cast<double>(u.size())) return {};
-  const Signals all = signals_of(u, y, pieces);
+  Signals all = signals_of(u, y, pieces);
   const Signals levels = levels_in(all, stretches);
   const Signals changes = changes_in(all, stretches);
-  const Signals ahead = changes_in(signals_of(u, y, pieces, true), stretches);
+  all[kChange] = next_of(all[kChange], pieces);
+  const Signals ahead = changes_in(all, stretches);
+  const Made level = made_of(levels, kSum);
+  const Made change = made_of(changes, kSum);
   constexpr double kFarLess = 0.5;
-  return {share_of(levels), share_of(changes), integrates_in(levels),
-          switches_in(changes[kU]),
-          made_of(ahead, kSum).left < kFarLess * made_of(changes, kSum).left};
+  return {.of_level = share_of(levels, level),
+          .of_changes = share_of(changes, change),
+          .integrates = integrates_in(levels, level),
+          .switches = switches_in(changes[kU]),
+          .leads = made_of(ahead, kSum).left < kFarLess * change.left};
 }
 
 bool follows_law(const LawShare& share) {

@@ -7,14 +7,11 @@
 #include "workbench/model/fit/start_search.hpp"
 
 namespace workbench {
-namespace {
 
 bool is_lag(const Effect* effect) {
   return effect == &effects::process_second_lag() || effect == &effects::sensor_lag() ||
          effect == &effects::valve_positioner_lag();
 }
-
-}  // namespace
 
 std::vector<double> slowest_first(FreeRun& run, std::vector<double> p) {
   constexpr int kIterations = 10;

@@ -7,6 +7,9 @@
 
 namespace workbench {
 
+/// True for a lag beside that of the process.
+[[nodiscard]] bool is_lag(const Effect* effect);
+
 /// (W23) A point with the slowest lag as that of the process: by convention, for two lags
 /// in series give the same output either way round, and a sensor or a positioner is meant
 /// to be faster than the process. Where the other way round fits worse by more than two

@@ -6,6 +6,7 @@
 
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/noise.hpp"
+#include "workbench/model/fit/lags_in_series.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/recording/filled.hpp"
@@ -236,9 +237,7 @@ void name_unseen_ahead(const Fitter& fitter, std::vector<Trial>& trials,
 
 // What makes y follow u later, by a lag or by a dead time.
 bool is_delay(const Effect* effect) {
-  return effect == &effects::process_dead_time() ||
-         effect == &effects::process_second_lag() || effect == &effects::sensor_lag() ||
-         effect == &effects::valve_positioner_lag();
+  return effect == &effects::process_dead_time() || is_lag(effect);
 }
 
 // (W33) That y comes later is told by the best one; not that it comes so by a lag where a

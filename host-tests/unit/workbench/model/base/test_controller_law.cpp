@@ -104,21 +104,28 @@ TEST(ControllerLaw, KnowsOneWhoseGainGrowsWithTheError) {
   EXPECT_TRUE(follows_law(share));
 }
 
+// What a process of the first order makes of u.
+std::vector<double> followed(const std::vector<double>& u) {
+  std::vector<double> y;
+  double level = 50;
+  for (const double value : u) {
+    y.push_back(level);
+    level += (value - level) / 15;
+  }
+  return y;
+}
+
 // A process that follows ramps makes y of u nearly as a controller makes u of y.
 TEST(ControllerLaw, TellsAHandThatMovesUInRampsByWhatItDoesNotSum) {
   const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
   std::vector<double> u;
-  std::vector<double> y;
   double at = 50;
-  double level = 50;
   for (std::size_t k = 0; k < kSamples; ++k) {
-    y.push_back(level);
     const double wanted = k / 100 % 2 == 0 ? 40 : 60;
     at += std::clamp(wanted - at, -0.3, 0.3);
     u.push_back(at);
-    level += (at - level) / 15;
   }
-  const LawShare share = law_share(u, y, whole);
+  const LawShare share = law_share(u, followed(u), whole);
   EXPECT_GT(share.of_level, 0.9);
   EXPECT_GT(share.of_changes, 0.2);
   EXPECT_FALSE(share.integrates);
@@ -128,13 +135,7 @@ TEST(ControllerLaw, TellsAHandThatMovesUInRampsByWhatItDoesNotSum) {
 TEST(ControllerLaw, TellsAProcessThatFollowsSmoothlyByTheNextChangeOfY) {
   const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
   const std::vector<double> u = pushed();
-  std::vector<double> y;
-  double level = 50;
-  for (const double value : u) {
-    y.push_back(level);
-    level += (value - level) / 15;
-  }
-  const LawShare share = law_share(u, y, whole);
+  const LawShare share = law_share(u, followed(u), whole);
   EXPECT_GT(share.of_changes, 0.9);
   EXPECT_TRUE(share.leads);
   EXPECT_FALSE(follows_law(share));
