@@ -148,6 +148,16 @@ struct Description {
   bool adds_up = false;   ///< the record of a sum is the sum of the records
 
   [[nodiscard]] constexpr bool is_load() const { return place == Place::kLoad; }
+  [[nodiscard]] constexpr bool is_unmeasured_load() const {
+    return is_load() && !recorded;
+  }
+  /// The order in which effects of one model are told: that of the signal, but what lies
+  /// in the loop and can be mended before a load that nobody measured.
+  [[nodiscard]] constexpr bool is_told_before(const Description& other) const {
+    return is_unmeasured_load() == other.is_unmeasured_load()
+               ? place < other.place
+               : other.is_unmeasured_load();
+  }
   /// A stem that does not follow every move of its signal, by stiction or play.
   [[nodiscard]] constexpr bool is_stem() const { return place == Place::kFriction; }
 };

@@ -174,10 +174,8 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
   return other;
 }
 
-// A load that nobody recorded.
 bool needs_a_cause(const Trial& trial) {
-  const Description& of = trial.effect->description();
-  return trial.partner == nullptr && of.is_load() && !of.recorded;
+  return trial.partner == nullptr && trial.effect->description().is_unmeasured_load();
 }
 
 // What the recording cannot tell apart is looked for in the process first, the more so

@@ -209,15 +209,16 @@ class Climb {
     fit_ = std::move(rest);
   }
   // On to `next`, which has `added`, too; `group` is that of a single one. Of several
-  // that one comes first which would be missed most.
+  // that one comes first which would be missed most, and loads that nobody measured last.
   void add(std::vector<const Effect*> added, const std::vector<std::string>& group,
            const Fit& next) {
     if (added.size() > 1) {
       std::map<const Effect*, double> left;
       for (const Effect* one : added) left[one] = left_without(next, *one);
-      std::stable_sort(added.begin(), added.end(), [&](const Effect* a, const Effect* b) {
-        return left[a] > left[b];
-      });
+      const auto key = [&left](const Effect* one) {
+        return std::pair(one->description().is_unmeasured_load(), -left[one]);
+      };
+      std::ranges::stable_sort(added, {}, key);
     }
     for (std::size_t i = 0; i < added.size(); ++i) {
       Fit now = next;

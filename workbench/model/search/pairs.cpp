@@ -48,7 +48,7 @@ bool first_lag_is_longest(const Fit& fit) {
 
 bool is_slow_load(const Effect* effect) {
   const Description& of = effect->description();
-  return of.is_load() && of.view == View::kTime && !of.recorded;
+  return of.is_unmeasured_load() && of.view == View::kTime;
 }
 
 bool stores(const Trial& pair) {
@@ -271,14 +271,6 @@ bool has_idle_member(const Fitter& fitter, const PairSearch& search, Trial& pair
   return false;
 }
 
-// A pair is told in the order of the signal: a valve that sticks before the curve or the
-// load that hid it.
-void in_signal_order(Trial& pair) {
-  if (pair.partner->description().place < pair.effect->description().place) {
-    std::swap(pair.effect, pair.partner);
-  }
-}
-
 }  // namespace
 
 std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
@@ -298,7 +290,11 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
   if (!search.had_their_share() && pairs.size() > 1) {
     fitter.work().for_each(pairs.size() - 1, [&](std::size_t i) { reconsider(i + 1); });
   }
-  for (Trial& pair : pairs) in_signal_order(pair);
+  for (Trial& pair : pairs) {
+    if (pair.partner->description().is_told_before(pair.effect->description())) {
+      std::swap(pair.effect, pair.partner);
+    }
+  }
   closest = pairs;
   std::erase_if(pairs, [&](Trial& pair) {
     examine(fitter, base, pair);

@@ -38,7 +38,7 @@ std::optional<Trial> play_with(const Fitter& fitter, const Fit& base, const Tria
                                std::vector<const Effect*> others, const Effect& slow,
                                const Fit& found) {
   others.insert(others.end(), {&effects::valve_backlash(), &slow});
-  Trial play = in_signal_order(others, fitter.reconsider(fitter.refine(found), nullptr));
+  Trial play = in_told_order(others, fitter.reconsider(fitter.refine(found), nullptr));
   const NoiseColour colour = colour_of(play.fit->residual);
   const auto scores_better = [&](const Fit& other) {
     return score_of(*play.fit, colour) < score_of(other, colour);

@@ -31,7 +31,7 @@ double error_of(const Try& one) {
 // One load that follows slow noise is enough.
 bool is_second_load(const Trial& pair, const Effect& third) {
   const auto is_load = [](const Effect* effect) {
-    return effect->description().is_load() && !effect->description().recorded;
+    return effect->description().is_unmeasured_load();
   };
   return is_load(&third) && (is_load(pair.effect) || is_load(pair.partner));
 }
@@ -89,9 +89,10 @@ std::vector<Try> tries_of(const Fitter& fitter, const std::vector<Trial>& trials
 
 }  // namespace
 
-Trial in_signal_order(std::vector<const Effect*> members, Fit fit) {
-  std::ranges::stable_sort(
-      members, {}, [](const Effect* effect) { return effect->description().place; });
+Trial in_told_order(std::vector<const Effect*> members, Fit fit) {
+  std::ranges::stable_sort(members, [](const Effect* a, const Effect* b) {
+    return a->description().is_told_before(b->description());
+  });
   Trial out;
   out.effect = members[0];
   out.partner = members[1];
@@ -141,8 +142,8 @@ std::vector<Trial> triples_of(const Fitter& fitter, const Fit& base,
       tries.size(), [&](std::size_t i) { tries[i].fit = fitter.refine(*tries[i].fit); });
   std::ranges::stable_sort(tries, {}, error_of);
   const Try& best = tries[0];
-  Trial triple = in_signal_order({best.pair->effect, best.pair->partner, best.third},
-                                 fitter.reconsider(*best.fit, nullptr));
+  Trial triple = in_told_order({best.pair->effect, best.pair->partner, best.third},
+                               fitter.reconsider(*best.fit, nullptr));
   examine(fitter, base, triple);
   triple.visible = u_is_seen(fitter, *triple.fit);
   if (!each_is_needed(fitter, triple)) return {};

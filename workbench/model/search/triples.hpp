@@ -18,8 +18,8 @@ namespace workbench {
                                             const std::vector<Trial>& trials,
                                             std::vector<Trial> pairs);
 
-/// The trial of two or three members, sorted by their places.
-[[nodiscard]] Trial in_signal_order(std::vector<const Effect*> members, Fit fit);
+/// The trial of two or three members, in the order in which they are told.
+[[nodiscard]] Trial in_told_order(std::vector<const Effect*> members, Fit fit);
 
 /// Whether each member of `trial` is possible, told from none and needed by the others
 /// and, if no linear process does as much, seen one sample ahead beside them. The trial
