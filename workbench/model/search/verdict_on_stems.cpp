@@ -36,30 +36,74 @@ double stick_band_of(const Identification& found) {
   return std::max(found.stick_band.ascending.value, found.stick_band.descending.value);
 }
 
+bool has_load(const Fit& fit) {
+  return std::ranges::any_of(
+      fit.effects, [](const Effect* effect) { return effect->description().is_load(); });
+}
+
 // Less of the error, if not beyond chance, by what could be this stem.
 bool may_be(const Trial& trial) {
   return trial.partner == nullptr && trial.fit && !trial.edge && trial.visible &&
          trial.objection.empty() && trial.candidate.error_reduction_percent > 0;
 }
 
-// The smallest stick band that would have shown and did not; nothing where none is known.
-std::optional<double> excluded_by(const Identification& found) {
+// It finds no fault, and nothing one sample ahead for a stem of its own.
+bool says_nothing_for_stems(const Identification& found) {
   const bool no_fault = found.verdict == ident::Verdict::kNoStiction ||
                         found.verdict == ident::Verdict::kUndecided;
-  const bool speaks = ident::nats_of_stems(found.evidence, 0.0) > 0;
-  if (!no_fault || speaks || !(found.detectable_band > 0)) return std::nullopt;
+  return no_fault && ident::nats_of_stems(found.evidence, 0.0) <= 0;
+}
+
+// The smallest stick band that would have shown and did not; nothing where none is known.
+std::optional<double> excluded_by(const Identification& found) {
+  if (!says_nothing_for_stems(found) || !(found.detectable_band > 0)) return std::nullopt;
   return found.detectable_band;
 }
 
-// A stem convinces running free and does not foretell y.
+// The band of the closest stem running free is not known to be none, but that stem does
+// not foretell y.
 bool is_unconfirmed(const Identification& found) {
-  return found.reason == ident::Reason::kStemUnconfirmed &&
-         ident::nats_of_stems(found.evidence, 0.0) <= 0;
+  return found.verdict == ident::Verdict::kUndecided && says_nothing_for_stems(found) &&
+         found.evidence.stem_weighed;
+}
+
+// What follows the setpoint explains the movement, and beside a process with dead time
+// and lags no stem is closer.
+bool is_unneeded(const Identification& found) {
+  return found.reason == ident::Reason::kSetpointMoves && says_nothing_for_stems(found) &&
+         found.evidence.form == ident::ValveForm::kLinear;
 }
 
 // A valve that is slow, or stops at an end, foretells y better than any that sticks.
 bool is_outweighed(const Identification& found) {
   return found.reason == ident::Reason::kStemBounded;
+}
+
+// Why a stem of that band is none, to be filled with what it takes away and the band that
+// would have shown; null where the identification does not say so.
+const char* objection_to(double band, const Identification& found) {
+  const std::optional<double> excluded = excluded_by(found);
+  if (excluded && band > *excluded) {
+    return "It takes away {0} of the squared error on samples that were not fitted, but "
+           "from one sample to the next a stick band above {1} in u would have shown, "
+           "and did not.";
+  }
+  if (is_outweighed(found)) {
+    return "It takes away {0} of the squared error on samples that were not fitted, but "
+           "from one sample to the next a valve that moves slowly, or stops at an end, "
+           "foretells the output better.";
+  }
+  if (is_unconfirmed(found)) {
+    return "It takes away {0} of the squared error on samples that were not fitted, but "
+           "such a stem does not foretell the output from one sample to the next: a "
+           "load, or a process of another shape, may look like a valve here.";
+  }
+  if (is_unneeded(found)) {
+    return "It takes away {0} of the squared error on samples that were not fitted, but "
+           "beside a process with a dead time and two lags no sticking valve is closer "
+           "to the output.";
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -69,19 +113,12 @@ std::optional<double> VerdictOnStems::excluded_from() const {
   return excluded_by(identified_->result(fitter_->work()));
 }
 
-bool VerdictOnStems::is_refuted_by(const Identification& found,
-                                   const Trial& trial) const {
-  const std::optional<double> excluded = excluded_by(found);
-  return is_unconfirmed(found) || is_outweighed(found) ||
-         (excluded && stick_band_of(*trial.fit, *stem_of(trial)) > *excluded);
-}
-
-// What the output would be without the loads that the recording holds: what is known to
-// move it hides no stem.
-Identification VerdictOnStems::less_recorded_loads(const Fit& fit) const {
+// What the output would be without the loads of the model: what is known to move it hides
+// no stem.
+Identification VerdictOnStems::less_loads(const Fit& fit) const {
   Recording quiet = fitter_->recording();
   for (const Effect* effect : fit.effects) {
-    if (effect->description().recorded) fitter_->add_loads(fit, -1, quiet.y, effect);
+    if (effect->description().is_load()) fitter_->add_loads(fit, -1, quiet.y, effect);
   }
   Identified without(uncut_parts(quiet));
   return without.result(fitter_->work());
@@ -91,33 +128,17 @@ void VerdictOnStems::refute(Trial& trial) const {
   const Effect* stem = stem_of(trial);
   if (stem == nullptr || !accepted(trial) || fitter_->output() != Column::y) return;
   if (trial.p_ahead <= kBeyondDoubt) return;
+  const double band = stick_band_of(*trial.fit, *stem);
   Identification found = identified_->result(fitter_->work());
-  if (!is_refuted_by(found, trial)) return;
-  if (has_recorded_load(trial.fit->effects)) {
-    found = less_recorded_loads(*trial.fit);
-    if (!is_refuted_by(found, trial)) return;
-  }
+  if (objection_to(band, found) == nullptr) return;
+  if (has_load(*trial.fit)) found = less_loads(*trial.fit);
+  const char* objection = objection_to(band, found);
+  if (objection == nullptr) return;
+  const std::optional<double> excluded = excluded_by(found);
   trial.candidate.status = CandidateStatus::kUndecided;
-  const std::string away = number(trial.candidate.error_reduction_percent, 3) + " %";
-  if (is_unconfirmed(found)) {
-    trial.candidate.evidence = filled(
-        "It takes away {0} of the squared error on samples that were not fitted, but "
-        "such a stem does not foretell the output from one sample to the next: a load, "
-        "or a process of another shape, may look like a valve here.",
-        {away});
-  } else if (is_outweighed(found)) {
-    trial.candidate.evidence = filled(
-        "It takes away {0} of the squared error on samples that were not fitted, but "
-        "from one sample to the next a valve that moves slowly, or stops at an end, "
-        "foretells the output better.",
-        {away});
-  } else {
-    trial.candidate.evidence = filled(
-        "It takes away {0} of the squared error on samples that were not fitted, but "
-        "from one sample to the next a stick band above {1} in u would have shown, and "
-        "did not.",
-        {away, number(*excluded_by(found), 3)});
-  }
+  trial.candidate.evidence =
+      filled(objection, {number(trial.candidate.error_reduction_percent, 3) + " %",
+                         excluded ? number(*excluded, 3) : ""});
 }
 
 void VerdictOnStems::confirm(std::vector<Trial>& trials) const {

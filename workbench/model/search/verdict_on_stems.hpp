@@ -13,10 +13,11 @@ namespace workbench {
 /// (W12) A stem fitted running free takes up what a load or a missing linear part leaves
 /// over, and drowns in what a load adds. One sample ahead both are known from the past of
 /// y. So where the identification finds no fault, has nothing for its own stem, and says
-/// how small a stick band would have shown, a wider one is none; where its own stem
-/// convinces running free and is refuted one sample ahead, another one is, too; and where
-/// it finds a fault by more than it needs alone, a stem of that width is there. Asks the
-/// identification only where that may change an answer.
+/// how small a stick band would have shown, a wider one is none; where it is undecided,
+/// and its own stem foretells nothing, or the setpoint explains the movement and no stem
+/// is closer, another one is none, too; and where it finds a fault by more than it needs
+/// alone, a stem of that width is there. Asks the identification only where that may
+/// change an answer.
 class VerdictOnStems {
  public:
   /// Both must outlive this.
@@ -26,10 +27,10 @@ class VerdictOnStems {
   /// The smallest stick band, units of u, that would have shown and did not; nothing
   /// where none is known. Throws as Identified::result().
   [[nodiscard]] std::optional<double> excluded_from() const;
-  /// Leaves an accepted trial undecided whose stem has such a band, or convinces running
-  /// free and does not foretell y, unless it does beyond doubt beside the two that come
-  /// with it, which the identification does not have. Where the trial has a load that the
-  /// recording holds, the identification has to say so of the output less that load, too.
+  /// Leaves an accepted trial undecided whose stem the identification speaks against,
+  /// unless it foretells y beyond doubt beside the two that come with it, which the
+  /// identification does not have. Where the trial has loads, the identification has to
+  /// say so of the output less those, too.
   void refute(Trial& trial) const;
   /// Accepts the trial of the stem that the identification found, where none of `trials`
   /// has a stem that is accepted: its error is smaller, its parameters exclude "off", and
@@ -37,8 +38,7 @@ class VerdictOnStems {
   void confirm(std::vector<Trial>& trials) const;
 
  private:
-  [[nodiscard]] bool is_refuted_by(const Identification& found, const Trial& trial) const;
-  [[nodiscard]] Identification less_recorded_loads(const Fit& fit) const;
+  [[nodiscard]] Identification less_loads(const Fit& fit) const;
 
   const Fitter* fitter_;
   Identified* identified_;

@@ -5,6 +5,7 @@ export default {
   'One of them may as well be {0}: this recording cannot tell.': 'Einer davon kann ebenso gut sein: {0}. Diese Aufzeichnung kann es nicht unterscheiden.',
   'The readings show {0}, but hardly any of the error is its doing.': 'Die Messwerte zeigen {0}, doch vom Fehler kommt kaum etwas davon.',
   'It takes away {0} of the squared error on samples that were not fitted, but such a stem does not foretell the output from one sample to the next: a load, or a process of another shape, may look like a valve here.': 'Es nimmt {0} des quadratischen Fehlers an nicht angepassten Werten weg, aber eine solche Spindel sagt den Ausgang von einem Wert zum nächsten nicht voraus: Eine Störung oder ein Prozess anderer Form kann hier wie ein Ventil aussehen.',
+  'It takes away {0} of the squared error on samples that were not fitted, but beside a process with a dead time and two lags no sticking valve is closer to the output.': 'Es nimmt {0} des quadratischen Fehlers an nicht angepassten Werten weg, aber neben einem Prozess mit Totzeit und zwei Verzögerungen kommt kein klemmendes Ventil dem Ausgang näher.',
   'Little but the controller moves u: what the process makes of it is not told.': 'Fast nur der Regler bewegt u: Was der Prozess daraus macht, zeigt sich nicht.',
   'From u alone the model says hardly anything about the output.': 'Allein aus u sagt das Modell kaum etwas über den Ausgang.',
   'Found: {0}.': 'Gefunden: {0}.',

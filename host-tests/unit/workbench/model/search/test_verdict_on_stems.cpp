@@ -36,6 +36,7 @@ Trial trial_of_play(const Fitter& fitter, double band) {
 
 TEST(VerdictOnStems, RefutesABandThatWouldHaveShown) {
   SetpointLoop loop;
+  loop.samples = 2400;
   loop.load = [](std::size_t k) { return 3 * std::sin(double(k) / 4); };
   const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
@@ -50,6 +51,33 @@ TEST(VerdictOnStems, RefutesABandThatWouldHaveShown) {
   Trial narrow = trial_of_play(fitter, 0.8 * *excluded);
   verdict.refute(narrow);
   EXPECT_EQ(narrow.candidate.status, CandidateStatus::kAccepted);
+}
+
+// Too short to say how narrow a band would have shown, long enough to try stems.
+TEST(VerdictOnStems, RefutesEveryBandWhereTheClosestStemForetellsNothing) {
+  SetpointLoop loop;
+  loop.load = [](std::size_t k) { return 3 * std::sin(double(k) / 4); };
+  const Recording recording = simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  ASSERT_EQ(identified.result({}).verdict, ident::Verdict::kUndecided);
+  ASSERT_TRUE(identified.result({}).evidence.stem_weighed);
+  Trial narrow = trial_of_play(fitter, 0.5);
+  VerdictOnStems(fitter, identified).refute(narrow);
+  EXPECT_EQ(narrow.candidate.status, CandidateStatus::kUndecided);
+  EXPECT_NE(narrow.candidate.evidence.find("does not foretell"), std::string::npos);
+}
+
+TEST(VerdictOnStems, RefutesAStemWhereNoneIsCloserThanALinearProcess) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  ASSERT_EQ(identified.result({}).verdict, ident::Verdict::kUndecided);
+  ASSERT_EQ(identified.result({}).evidence.form, ident::ValveForm::kLinear);
+  Trial play = trial_of_play(fitter, 2);
+  VerdictOnStems(fitter, identified).refute(play);
+  EXPECT_EQ(play.candidate.status, CandidateStatus::kUndecided);
+  EXPECT_NE(play.candidate.evidence.find("no sticking valve"), std::string::npos);
 }
 
 // The load drowns the stem: no band is excluded, with the load in the model or without.
@@ -82,6 +110,26 @@ TEST(VerdictOnStems, RefutesNoStemThatALoadDrowns) {
   Trial aware = unaware;
   aware.fit = fitter.extend(*unaware.fit, effects::disturbance_measured("feed"),
                             Effort::kThorough);
+  verdict.refute(aware);
+  EXPECT_EQ(aware.candidate.status, CandidateStatus::kAccepted);
+}
+
+// What is known to move the output hides no stem: a load step, of which the model knows.
+TEST(VerdictOnStems, AsksOfTheOutputLessTheLoadsOfTheModel) {
+  const std::vector<double> levels = {50, 56, 47, 55, 50, 58, 49};
+  Recording recording = test::stepped(levels, test::backlash(3));
+  const std::size_t middle = recording.y.size() / 2;
+  for (std::size_t k = middle; k < recording.y.size(); ++k) {
+    recording.y[k] += 15 * (1 - std::exp(-double(k - middle) / 20));
+  }
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  const VerdictOnStems verdict(fitter, identified);
+  Trial unaware = trial_of_play(fitter, 3);
+  verdict.refute(unaware);
+  EXPECT_EQ(unaware.candidate.status, CandidateStatus::kUndecided);
+  Trial aware = trial_of_play(fitter, 3);
+  aware.fit = fitter.extend(*aware.fit, effects::disturbance_step(), Effort::kThorough);
   verdict.refute(aware);
   EXPECT_EQ(aware.candidate.status, CandidateStatus::kAccepted);
 }
