@@ -1,5 +1,6 @@
 // One hidden effect under a load cut from a real recording, with few moves: does the
-// ladder name it, and are the p-values of `explain` uniform where nothing is hidden?
+// ladder name it, what does `identify` say, and are the p-values of `explain` uniform
+// where nothing is hidden?
 // Prints Markdown tables.
 //
 //   score_hidden_loads [--seeds N] [--first-seed S] [--clean N] [--details]
@@ -31,6 +32,7 @@
 #include "support/real_loads/loads.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/identified.hpp"
 #include "workbench/model/search/ladder.hpp"
 
 namespace {
@@ -131,6 +133,21 @@ struct Tally {
   int wrong = 0;
 };
 
+// What `identify` says of the same recordings.
+struct Verdicts {
+  int cases = 0;
+  int faults = 0;
+  int cleared = 0;
+};
+
+void count(const Recording& recording, Verdicts& out) {
+  workbench::Identified identified({recording});
+  const ident::Verdict verdict = identified.result({}).verdict;
+  ++out.cases;
+  out.faults += ident::is_fault(verdict) ? 1 : 0;
+  out.cleared += verdict == ident::Verdict::kNoStiction ? 1 : 0;
+}
+
 void print(const char* name, const Tally& t) {
   const double n = std::max(t.cases, 1);
   std::printf("| %s | %d | %.1f | %.1f | %.1f |\n", name, t.cases, 100 * t.right / n,
@@ -153,6 +170,7 @@ void score_hidden(const Options& options, const std::vector<RealLoad>& loads) {
   }
   std::mutex mutex;
   std::map<std::string, Tally> tallies;
+  std::map<std::string, Verdicts> verdicts;
   const workbench::Work work({.threads = workbench::Work::cores()});
   work.for_each(jobs.size(), [&](std::size_t i) {
     const Job& job = jobs[i];
@@ -168,7 +186,16 @@ void score_hidden(const Options& options, const std::vector<RealLoad>& loads) {
     const bool right =
         std::any_of(named.first.begin(), named.first.end(),
                     [&](const hidden::AddedEffect& a) { return a.names(code); });
+    const bool stem = job.effect == hidden::Effect::kStiction ||
+                      job.effect == hidden::Effect::kBacklash;
+    Verdicts verdict;
+    count(one.recording, verdict);
     const std::lock_guard lock(mutex);
+    Verdicts& all = verdicts[std::string(stem ? "stiction or play" : "another effect") +
+                             (job.open_loop ? ", step tests" : ", closed loops")];
+    all.cases += verdict.cases;
+    all.faults += verdict.faults;
+    all.cleared += verdict.cleared;
     for (const std::string& row :
          {std::string("all"), std::string(job.open_loop ? "step tests" : "closed loops"),
           code}) {
@@ -188,6 +215,14 @@ void score_hidden(const Options& options, const std::vector<RealLoad>& loads) {
       "| | recordings | right first | nothing named | wrong first |\n"
       "|---|---|---|---|---|\n");
   for (const auto& [name, tally] : tallies) print(name.c_str(), tally);
+  std::printf(
+      "\n### What `identify` says of them\n\n"
+      "| | recordings | stiction or backlash | no stiction | undecided |\n"
+      "|---|---|---|---|---|\n");
+  for (const auto& [name, all] : verdicts) {
+    std::printf("| %s | %d | %d | %d | %d |\n", name.c_str(), all.cases, all.faults,
+                all.cleared, all.cases - all.faults - all.cleared);
+  }
 }
 
 // The load swings so: of its own variance the line of the candidate has this much.

@@ -146,6 +146,7 @@ void WindowSurvey<Real>::look_at_u(Identification<Real>& result) {
   loop.cycles = result.cycles;
   loop.kurtosis = kurtosis<Real>(u);
   loop.limit_share = share_at_limits<Real>(u);
+  result.evidence.by_hand = moves_rarely<Real>(u);
   loop.law_known = result.controller.sign != 0;
   std::copy(u.begin(), u.end(), window_.scratch.begin());
   levels_.start(window_.scratch.first(u.size()));

@@ -185,10 +185,21 @@ Real kurtosis(std::span<const Real> values) {
   return square > Real(0) ? fourth / (square * square) : Real(0);
 }
 
+template <class Real>
+bool moves_rarely(std::span<const Real> values) {
+  constexpr std::size_t kRests = 50;
+  std::size_t moves = 0;
+  for (std::size_t t = 1; t < values.size(); ++t) {
+    moves += values[t] != values[t - 1] ? 1 : 0;
+  }
+  return kRests * moves <= values.size();
+}
+
 #define STICKBAND_INSTANTIATE(Real)                                  \
   template class LevelStep<Real>;                                    \
   template Real share_at_limits<Real>(std::span<const Real>);        \
   template Real share_of_touches<Real>(std::span<const Real>, Real); \
+  template bool moves_rarely<Real>(std::span<const Real>);           \
   template Real kurtosis<Real>(std::span<const Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

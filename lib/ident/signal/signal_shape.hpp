@@ -43,6 +43,11 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real share_of_touches(std::span<const Real> values, Real cycles);
 
+/// Whether the signal rests but for a few moves, at most one in fifty samples: steps by
+/// hand, of which what they move knows nothing beforehand. One pass.
+template <class Real>
+[[nodiscard]] bool moves_rarely(std::span<const Real> values);
+
 /// Kurtosis: 1 for a square wave, 1.5 for a sinusoid of constant size, 3 for a normal
 /// distribution, and so for a resonance that noise keeps ringing. 0 where the values do
 /// not differ. Two passes.

@@ -97,6 +97,7 @@ struct Evidence {
   int reversals = 0;            ///< turning points of u
   LadderFinding<Real> ladder;   ///< closed-loop evidence; bands over the usual swing of u
   bool stem_weighed = false;
+  bool by_hand = false;  ///< u rests but for a few moves: moves_rarely()
   Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
   int stem_strokes = 0;  ///< how often it turned back
   [[no_unique_address]] SearchedStem<Real> searched;

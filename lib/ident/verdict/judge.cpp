@@ -85,18 +85,6 @@ bool steadily_better(const Evidence<Real>& e) {
          exact(e.consistency) > kConsistent;
 }
 
-template <class Real>
-bool convinces(const Evidence<Real>& e) {
-  if (exact(e.score) < kEnough) {
-    return false;
-  }
-  // In a few turns of u a curved process gains as much, but not steadily.
-  if (exact(e.error_ratio) > kOverwhelming && e.reversals >= kFiveCycles) {
-    return exact(e.consistency) > 0;
-  }
-  return steadily_better(e) && exact(e.error_ratio) > kLarge;
-}
-
 // Whether the valve that was fitted running free has that band, over the swing.
 template <class Real>
 bool has_band(const Evidence<Real>& e, Real band) {
@@ -117,6 +105,27 @@ bool speaks_alone(const Evidence<Real>& e, Real nats) {
   const bool weighed = kStemSearch && e.ladder.nats > Real(0);
   return exact(beyond_rivals(e, nats)) >
          (weighed ? kBeyondRivals : Threshold(kAloneNats));
+}
+
+// Whether u moved a few times by hand, which y cannot have caused, and the stem of
+// those moves foretells y so well that it needs nothing beside it.
+template <class Real>
+bool shows_in_step_test(const Evidence<Real>& e) {
+  return e.by_hand && e.stem_weighed && speaks_alone(e, e.stem_nats);
+}
+
+template <class Real>
+bool convinces(const Evidence<Real>& e) {
+  if (exact(e.score) < kEnough) {
+    return false;
+  }
+  // In a few turns of u a curved process gains as much, but not steadily; and does not
+  // foretell y in a step test.
+  if (exact(e.error_ratio) > kOverwhelming &&
+      (e.reversals >= kFiveCycles || shows_in_step_test(e))) {
+    return exact(e.consistency) > 0;
+  }
+  return steadily_better(e) && exact(e.error_ratio) > kLarge;
 }
 
 // Whether the window was long enough for any.

@@ -137,6 +137,19 @@ TEST(ShareOfTouches, SeesTheSameExtremeInMostCycles) {
   EXPECT_EQ(share_of_touches<double>(Signal{}, 4), 0);
 }
 
+TEST(MovesRarely, KnowsAStepTest) {
+  std::vector<double> steps;
+  for (int t = 0; t < 600; ++t) steps.push_back(t / 100 % 3);
+  EXPECT_TRUE(moves_rarely<double>(steps));
+  EXPECT_TRUE(moves_rarely<double>({}));
+}
+
+TEST(MovesRarely, KnowsAControllerThatWaitsBetweenMoves) {
+  std::vector<double> slow;
+  for (int t = 0; t < 600; ++t) slow.push_back(std::sin(t / 10 / 7.0));
+  EXPECT_FALSE(moves_rarely<double>(slow));
+}
+
 TEST(Kurtosis, TellsConstantSizeFromChance) {
   EXPECT_NEAR(kurtosis<double>(Signal{-1, 1, -1, 1}), 1, 1e-12);
   EXPECT_NEAR(kurtosis<double>(sine(1000, 50)), 1.5, 1e-9);
