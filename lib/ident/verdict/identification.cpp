@@ -49,7 +49,8 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "cycles, or step the setpoint up and down. Where the process output does not "
      "follow, the valve is stuck or nothing flows: stroke it by hand."},
     {Reason::kTooFewCycles,
-     "Too few reversals to see a pattern repeat: record twice as long, or longer."},
+     "Too few reversals to see a pattern repeat: record twice as long, or longer, or "
+     "more steps of the controller output up and down with the loop in manual."},
     {Reason::kAtLimit,
      "The controller output rests at its limit much of the time, where the valve is "
      "not asked to move: record the loop away from its limits."},
