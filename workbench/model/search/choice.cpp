@@ -233,6 +233,19 @@ void name_unseen_ahead(const Fitter& fitter, std::vector<Trial>& trials,
   }
 }
 
+// What leaves less, but moves too seldom to be told from chance, may be it as well.
+void name_too_seldom(std::vector<Trial>& trials, const NoiseColour& colour, Trial& best) {
+  if (best.partner != nullptr || is_fact(best)) return;
+  for (Trial& trial : trials) {
+    const bool possible = trial.too_few && trial.partner == nullptr && !trial.edge &&
+                          trial.objection.empty();
+    if (possible && fits_better(&trial, &best) &&
+        score_of(*trial.fit, colour) <= best.score + kTooRich) {
+      name_beside(trial, best);
+    }
+  }
+}
+
 // What makes y follow u later, by a lag or by a dead time.
 bool is_delay(const Effect* effect) {
   return effect == &effects::process_dead_time() || is_lag(effect);
@@ -353,6 +366,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
     for (Trial* other : others) other->candidate.status = CandidateStatus::kUndecided;
   }
   name_unseen_ahead(fitter, trials, colour, *best);
+  name_too_seldom(trials, colour, *best);
   name_other_delay(fitter, trials, *best);
   if (slipping != nullptr && !accepted(*slipping)) name_beside(*slipping, *best);
   name_each_other(group);

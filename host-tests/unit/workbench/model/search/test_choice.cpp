@@ -147,6 +147,26 @@ TEST(Choice, ALagIsNotToldFromADeadTimeThatLeavesLess) {
   EXPECT_TRUE(rivals(delay, lag).empty());
 }
 
+// Play that leaves less than a gain that drifts is open where u turned too seldom.
+TEST(Choice, WhatLeavesLessButMovesTooSeldomMayBeItAsWell) {
+  const std::vector<double> levels = {50, 58, 50, 58, 50};
+  const Recording recording = test::stepped(levels, test::backlash(3));
+  const Fitter fitter(recording, Column::y);
+  const auto rivals = [&](bool too_few) {
+    std::vector<Trial> trials;
+    for (const Effect* effect :
+         {&effects::process_gain_drift(), &effects::valve_backlash()}) {
+      trials.push_back(accepted_trial(*effect, nullptr, fitter.start({effect})));
+    }
+    trials[1].candidate.status = CandidateStatus::kUndecided;
+    trials[1].too_few = too_few;
+    EXPECT_EQ(choose(fitter, trials), trials.data());
+    return trials[0].candidate.indistinguishable_from;
+  };
+  EXPECT_EQ(rivals(true), std::vector<std::string>{"valve.backlash"});
+  EXPECT_TRUE(rivals(false).empty());
+}
+
 // What one may be as well is not turned down in the same answer.
 TEST(Choice, WhatIsNamedAsARivalNamesItInTurnAndIsNotRejected) {
   Candidate other;
