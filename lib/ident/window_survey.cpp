@@ -146,7 +146,6 @@ void WindowSurvey<Real>::look_at_u(Identification<Real>& result) {
   loop.cycles = result.cycles;
   loop.kurtosis = kurtosis<Real>(u);
   loop.limit_share = share_at_limits<Real>(u);
-  result.evidence.by_hand = moves_rarely<Real>(u);
   loop.law_known = result.controller.sign != 0;
   std::copy(u.begin(), u.end(), window_.scratch.begin());
   levels_.start(window_.scratch.first(u.size()));
@@ -156,6 +155,7 @@ void WindowSurvey<Real>::look_at_u(Identification<Real>& result) {
 template <class Real>
 void WindowSurvey<Real>::take_u_step(Identification<Real>& result) {
   result.loop.u_step = levels_.value() / movement_.swing;
+  result.evidence.by_hand = moves_rarely<Real>(window_.u);
   if constexpr (kStemSearch) {
     if (!(levels_.value() > Real(0))) {
       result.loop.limit_share =
