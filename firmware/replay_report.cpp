@@ -8,6 +8,7 @@
 
 #include "firmware/notice_text.hpp"
 #include "wire/diagnostics.hpp"
+#include "wire/text.hpp"
 
 namespace firmware {
 namespace {
@@ -132,10 +133,7 @@ std::vector<std::uint8_t> bytes_of(std::string_view hex) {
   int high = -1;
   for (const char c : hex) {
     if (c == ' ') continue;
-    const int digit = c >= '0' && c <= '9'   ? c - '0'
-                      : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                      : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                                             : -1;
+    const int digit = wire::hex_value(c);
     if (digit < 0) return {};
     if (high < 0) {
       high = digit;

@@ -170,7 +170,6 @@ class InPlaceIdentifier {
   [[nodiscard]] std::size_t samples_before_searched() const {
     return static_cast<std::size_t>(valve().window().u.data() - u_.data());
   }
-  void next_place();
   [[nodiscard]] bool placed();
   [[nodiscard]] StickSlipValve<Real> chosen_valve() const;
   void scaled_stem(std::span<Real> x) const;

@@ -48,7 +48,7 @@ bool InPlaceIdentifier<Real, Capacity>::simulate_process(int budget) {
 // first sample is the best of some places that its band allows. Each is tried in turn,
 // then the best once more.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::next_place() {
+void InPlaceIdentifier<Real, Capacity>::take_stem() {
   if constexpr (kMostSearched < Capacity) {
     if (samples_before_searched() > 0 && chosen_.start_known) {
       chosen_.start = placing_.next < kRestingPlaces
@@ -57,11 +57,6 @@ void InPlaceIdentifier<Real, Capacity>::next_place() {
       ++placing_.next;
     }
   }
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_stem() {
-  next_place();
   const std::span<Real> stem{scratch_.data(), size_};
   scaled_stem(stem);
   begin_process(chosen_, stem);

@@ -17,13 +17,6 @@ constexpr std::size_t kEpochDigits = 10;  // of seconds since 1970, as -t a writ
 constexpr std::int64_t kMaxSeconds =
     std::numeric_limits<std::int64_t>::max() / kNsPerSecond - 1;
 
-constexpr int hex_value(char c) {
-  if (is_digit(c)) return c - '0';
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return -1;
-}
-
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_(text) {}

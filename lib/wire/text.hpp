@@ -16,6 +16,13 @@ constexpr bool is_line_end(char c) {
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
+/// 0 … 15; −1 for what is no digit of a hexadecimal number.
+constexpr int hex_value(char c) {
+  if (is_digit(c)) return c - '0';
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return -1;
+}
 
 /// `text[start … start + length)`, cut to what exists.
 constexpr std::string_view slice(std::string_view text, std::size_t start,

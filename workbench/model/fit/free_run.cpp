@@ -171,12 +171,8 @@ void FreeRun::simulate_valve(std::span<const double> p) {
   }
 }
 
-double FreeRun::run(std::span<const double> p) {
-  work_->check();
-  if (solved_ && std::equal(p.begin(), p.end(), last_p_.begin(), last_p_.end())) {
-    return *solved_;
-  }
-  Work::spend(residual_.size());
+// The columns as the record shows them; no coefficient is known yet.
+void FreeRun::lay_columns(std::span<const double> p) {
   simulate_valve(p);
   build_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -189,6 +185,15 @@ double FreeRun::run(std::span<const double> p) {
   }
   record_columns(p);
   coefficients_.assign(columns_.size(), 0.0);
+}
+
+double FreeRun::run(std::span<const double> p) {
+  work_->check();
+  if (solved_ && std::equal(p.begin(), p.end(), last_p_.begin(), last_p_.end())) {
+    return *solved_;
+  }
+  Work::spend(residual_.size());
+  lay_columns(p);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (const Held* one = held(columns_[i])) coefficients_[i] = one->value;
   }
@@ -206,17 +211,7 @@ double FreeRun::run_with(std::span<const double> p, std::span<const double> plan
                          Rows rows) {
   work_->check();
   solved_.reset();
-  simulate_valve(p);
-  build_columns(p);
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (shape_.sensor_lag_s > 0 && columns_[i].name != "sensor_state") {
-      behind_sensor(raw_[i], used_[i]);
-    } else {
-      used_[i] = raw_[i];
-    }
-  }
-  record_columns(p);
-  coefficients_.assign(columns_.size(), 0.0);
+  lay_columns(p);
   for (std::size_t i = 0; i < columns_.size() && i < plant.size(); ++i) {
     if (!columns_[i].initial) coefficients_[i] = plant[i];
   }

@@ -131,6 +131,7 @@ class FreeRun {
   void behind_sensor(std::span<const double> in, std::span<double> out) const;
   void finish(std::span<const double> p);
   void record_columns(std::span<const double> p);
+  void lay_columns(std::span<const double> p);
   void solve_behind_rounding(std::span<const double> p);
   void set_aside();
   [[nodiscard]] const Held* held(const Column& column) const;
