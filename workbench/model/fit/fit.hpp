@@ -45,7 +45,8 @@ struct Fit {
   [[nodiscard]] std::vector<double> solved_of(const Effect& effect) const;
 };
 
-/// True where one of the effects is a load that the recording holds.
+/// True where one of the effects is a load, or one that the recording holds.
+[[nodiscard]] bool has_load(const std::vector<const Effect*>& effects);
 [[nodiscard]] bool has_recorded_load(const std::vector<const Effect*>& effects);
 
 /// True where a searched parameter of the effect lies at the edge of its bounds that is

@@ -21,6 +21,11 @@ bool has_recorded_load(const std::vector<const Effect*>& effects) {
       effects, [](const Effect* effect) { return effect->description().recorded; });
 }
 
+bool has_load(const std::vector<const Effect*>& effects) {
+  return std::ranges::any_of(
+      effects, [](const Effect* effect) { return effect->description().is_load(); });
+}
+
 bool at_edge(const Fit& fit, const Effect& effect) {
   if (effect.ends_there(fit.searched_of(effect))) return false;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {

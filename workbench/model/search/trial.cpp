@@ -30,12 +30,6 @@ std::string objection_to(const Trial& trial, const Situation& here) {
   return {};
 }
 
-bool has_load(const Trial& trial) {
-  return std::ranges::any_of(members_of(trial), [](const Effect* effect) {
-    return effect->description().is_load();
-  });
-}
-
 std::string percent(double share) {
   return number(100 * share, 3) + " %";
 }
@@ -86,7 +80,7 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   const Situation here = fitter.situation(fit);
   const std::vector<double> p = fit.searched_of(*trial.effect);
   // A load comes once, and has a test against noise of its own.
-  if (!has_load(trial)) trial.test.p_value = trial.test.p_steady;
+  if (!has_load(members_of(trial))) trial.test.p_value = trial.test.p_steady;
   if (trial.partner == nullptr && is_bent(trial.effect->description())) {
     const DifferenceTest ahead =
         test_given_past(base.residual, fit.residual, here.u, blocks);
@@ -189,13 +183,13 @@ void check_intervals(const Fitter& fitter, Trial& trial) {
 namespace {
 
 bool beyond_doubt(const Trial& trial) {
-  return trial.p_family <= kBeyondDoubt && !has_load(trial);
+  return trial.p_family <= kBeyondDoubt && !has_load(members_of(trial));
 }
 
 // Beside a load its events count, too.
 bool is_excited(const Trial& trial) {
   return is_excited(*trial.effect, trial.excitation,
-                    has_load(trial) ? 1 : trial.p_family);
+                    has_load(members_of(trial)) ? 1 : trial.p_family);
 }
 
 // Why a gain that is hardly chance by its p-value is not enough.

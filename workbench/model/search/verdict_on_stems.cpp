@@ -36,11 +36,6 @@ double stick_band_of(const Identification& found) {
   return std::max(found.stick_band.ascending.value, found.stick_band.descending.value);
 }
 
-bool has_load(const Fit& fit) {
-  return std::ranges::any_of(
-      fit.effects, [](const Effect* effect) { return effect->description().is_load(); });
-}
-
 // Less of the error, if not beyond chance, by what could be this stem.
 bool may_be(const Trial& trial) {
   return trial.partner == nullptr && trial.fit && !trial.edge && trial.visible &&
@@ -131,7 +126,7 @@ void VerdictOnStems::refute(Trial& trial) const {
   const double band = stick_band_of(*trial.fit, *stem);
   Identification found = identified_->result(fitter_->work());
   if (objection_to(band, found) == nullptr) return;
-  if (has_load(*trial.fit)) found = less_loads(*trial.fit);
+  if (has_load(trial.fit->effects)) found = less_loads(*trial.fit);
   const char* objection = objection_to(band, found);
   if (objection == nullptr) return;
   const std::optional<double> excluded = excluded_by(found);
