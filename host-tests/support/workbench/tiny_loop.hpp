@@ -1,6 +1,8 @@
 // Two samples of a simulated loop, for tests of how loops are written.
 #pragma once
 
+#include "workbench/simulate/scenarios.hpp"
+
 namespace workbench::test {
 
 [[nodiscard]] inline SimulatedLoop tiny_loop() {
