@@ -140,9 +140,7 @@ struct Verdicts {
   int cleared = 0;
 };
 
-void count(const Recording& recording, Verdicts& out) {
-  workbench::Identified identified({recording});
-  const ident::Verdict verdict = identified.result({}).verdict;
+void count(ident::Verdict verdict, Verdicts& out) {
   ++out.cases;
   out.faults += ident::is_fault(verdict) ? 1 : 0;
   out.cleared += verdict == ident::Verdict::kNoStiction ? 1 : 0;
@@ -188,14 +186,11 @@ void score_hidden(const Options& options, const std::vector<RealLoad>& loads) {
                     [&](const hidden::AddedEffect& a) { return a.names(code); });
     const bool stem = job.effect == hidden::Effect::kStiction ||
                       job.effect == hidden::Effect::kBacklash;
-    Verdicts verdict;
-    count(one.recording, verdict);
+    const ident::Verdict verdict =
+        workbench::Identified({one.recording}).result({}).verdict;
     const std::lock_guard lock(mutex);
-    Verdicts& all = verdicts[std::string(stem ? "stiction or play" : "another effect") +
-                             (job.open_loop ? ", step tests" : ", closed loops")];
-    all.cases += verdict.cases;
-    all.faults += verdict.faults;
-    all.cleared += verdict.cleared;
+    count(verdict, verdicts[std::string(stem ? "stiction or play" : "another effect") +
+                            (job.open_loop ? ", step tests" : ", closed loops")]);
     for (const std::string& row :
          {std::string("all"), std::string(job.open_loop ? "step tests" : "closed loops"),
           code}) {

@@ -107,11 +107,10 @@ bool speaks_alone(const Evidence<Real>& e, Real nats) {
          (weighed ? kBeyondRivals : Threshold(kAloneNats));
 }
 
-// Whether u moved a few times by hand, which y cannot have caused, and the stem of
-// those moves foretells y so well that it needs nothing beside it.
+// The same of the stem that was fitted running free.
 template <class Real>
-bool shows_in_step_test(const Evidence<Real>& e) {
-  return e.by_hand && e.stem_weighed && speaks_alone(e, e.stem_nats);
+bool fitted_speaks_alone(const Evidence<Real>& e) {
+  return e.stem_weighed && speaks_alone(e, e.stem_nats);
 }
 
 template <class Real>
@@ -119,10 +118,10 @@ bool convinces(const Evidence<Real>& e) {
   if (exact(e.score) < kEnough) {
     return false;
   }
-  // In a few turns of u a curved process gains as much, but not steadily; and does not
-  // foretell y in a step test.
+  // In a few turns of u a curved process gains as much, but not steadily. Nor does it
+  // foretell y where u moved by hand, which y cannot have caused.
   if (exact(e.error_ratio) > kOverwhelming &&
-      (e.reversals >= kFiveCycles || shows_in_step_test(e))) {
+      (e.reversals >= kFiveCycles || (e.by_hand && fitted_speaks_alone(e)))) {
     return exact(e.consistency) > 0;
   }
   return steadily_better(e) && exact(e.error_ratio) > kLarge;
@@ -274,8 +273,7 @@ Real beyond_rivals(const Evidence<Real>& e, Real nats) {
 
 template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
-  const bool seen_ahead =
-      e.stem_weighed && speaks_alone(e, e.stem_nats) && e.stem_strokes >= kFewestStrokes;
+  const bool seen_ahead = fitted_speaks_alone(e) && e.stem_strokes >= kFewestStrokes;
   const bool wide = exact(e.band_over_swing) >= kWidestBand;
   const bool doubtful = kSmallSizes ? wide : e.reversals < kFewestTurns;
   if (e.form == ValveForm::kLinear || doubtful) {
