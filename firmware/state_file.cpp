@@ -166,9 +166,11 @@ void StateFile::work() {
                             : write(windows_path_, windows_.data(), add_checksum(size));
     lock.lock();
     (state ? size_ : windows_size_) = 0;
-    error_ = error;
     ++writes_;
-    failures_ += error == 0 ? 0 : 1;
+    if (error != 0) {
+      error_ = error;
+      ++failures_;
+    }
     changed_.notify_all();
   }
 }

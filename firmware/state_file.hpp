@@ -59,7 +59,7 @@ class StateFile {
   [[nodiscard]] std::uint32_t writes() const;
   /// Times that writing failed.
   [[nodiscard]] std::uint32_t failures() const;
-  /// errno of the newest failure; 0 after a success.
+  /// errno of the newest failure; 0 before any.
   [[nodiscard]] int error() const;
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::string& windows_path() const { return windows_path_; }

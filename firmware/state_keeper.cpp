@@ -154,16 +154,20 @@ std::size_t StateKeeper::save_windows(Daemon& daemon, const Now& now,
   return size;
 }
 
+void StateKeeper::tell_failure(std::int64_t now_us, const char* consequence) {
+  hal::Message text;
+  text.set("%s: cannot be written: %s; %s", file_.path().c_str(),
+           std::strerror(file_.error()), consequence);
+  log_.write(now_us, Priority::kError, text.c_str());
+}
+
 void StateKeeper::take_failures(std::int64_t now_us, WriteBudget& budget) {
   const std::uint32_t failures = file_.failures() - failures_;
   failures_ += failures;
   const std::uint32_t writes = file_.writes();
   if (std::exchange(writes_, writes) == writes) return;
   if (failures > 0 && !failing_) {
-    hal::Message text;
-    text.set("%s: cannot be written: %s; it stays as it was", file_.path().c_str(),
-             std::strerror(file_.error()));
-    log_.write(now_us, Priority::kError, text.c_str());
+    tell_failure(now_us, "it stays as it was");
   }
   failing_ = failures > 0;
   if (!failing_) {
@@ -191,9 +195,13 @@ void StateKeeper::keep_state(const Daemon& daemon, std::int64_t now_us,
 
 void StateKeeper::finish(Daemon& daemon, const Now& now) {
   file_.settle();
+  const std::uint32_t failures = file_.failures();
   (void)save(daemon);
   (void)save_windows(daemon, now, 0);
   file_.settle();
+  if (file_.failures() != failures) {
+    tell_failure(now.us, "the next start goes on from what was saved before");
+  }
 }
 
 }  // namespace firmware

@@ -65,6 +65,7 @@ class StateKeeper {
 
   void restore_state(Daemon& daemon, const Now& now);
   void restore_windows(Daemon& daemon, const Now& now);
+  void tell_failure(std::int64_t now_us, const char* consequence);
   /// Tells of what could not be written since.
   void take_failures(std::int64_t now_us, WriteBudget& budget);
   void keep_state(const Daemon& daemon, std::int64_t now_us, WriteBudget& budget);

@@ -74,6 +74,16 @@ class Kept : public testing::Test {
     row.row.time_s = static_cast<std::uint32_t>(now.epoch_us / kSecond);
     history->take({&row, 1});
   }
+  // Of the log so far.
+  [[nodiscard]] int lines_with(const char* text) const {
+    std::rewind(told.get());
+    std::array<char, 256> line;
+    int lines = 0;
+    while (std::fgets(line.data(), line.size(), told.get()) != nullptr) {
+      lines += std::string(line.data()).find(text) != std::string::npos;
+    }
+    return lines;
+  }
   [[nodiscard]] std::uint32_t writes() const {
     return state->writes() + history->writes();
   }
@@ -151,19 +161,28 @@ TEST_F(Kept, AChangeAfterAQuietTimeIsInTheFileAtOnce) {
   EXPECT_NE(saved(), before);
 }
 
+TEST_F(Kept, WhatCannotBeSavedAtTheEndIsTold) {
+  start();
+  for (int second = 0; second < 60; ++second) turn(true);
+  state->finish(*daemon, now);
+  EXPECT_EQ(lines_with("cannot be written"), 0);
+  std::filesystem::create_directories(path + ".new/inside");
+  for (int second = 0; second < 6; ++second) {
+    now.us += kSecond;
+    (void)daemon->step(now, {{}, {}, buses});
+  }
+  state->finish(*daemon, now);
+  EXPECT_EQ(lines_with("cannot be written"), 1);
+  EXPECT_EQ(lines_with("what was saved before"), 1);
+}
+
 TEST_F(Kept, WhatFailsIsTriedAgainLessAndLessOften) {
   std::filesystem::create_directories(path + ".new/inside");
   start();
   for (int second = 0; second < kHour_s; ++second) turn(flickers(second));
   EXPECT_GE(state->failures(), 50U);
   EXPECT_LE(state->failures(), 70U);
-  std::rewind(told.get());
-  std::array<char, 256> line;
-  int lines = 0;
-  while (std::fgets(line.data(), line.size(), told.get()) != nullptr) {
-    lines += std::string(line.data()).find("cannot be written") != std::string::npos;
-  }
-  EXPECT_EQ(lines, 1) << "told once";
+  EXPECT_EQ(lines_with("cannot be written"), 1) << "told once";
   std::filesystem::remove_all(path + ".new");
   for (int second = 0; second < 61; ++second) turn(false);
   EXPECT_TRUE(std::filesystem::exists(path));
