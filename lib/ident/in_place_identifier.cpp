@@ -346,8 +346,12 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   const LadderFinding<Real>& ladder = result_.evidence.ladder;
   const bool doubted = ladder.predicted > 0 && ladder.nats < Real(kNoNats);
   ValveStage& stage = valve_stage();
+  typename ValveSearch<Real>::Elsewhere* elsewhere = nullptr;
+  if constexpr (kStemSearch) {
+    elsewhere = &last_.template emplace<Elsewhere>();
+  }
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
-                     stage.stems, options_.earlier, u_range(), doubted);
+                     stage.stems, options_.earlier, u_range(), doubted, elsewhere);
   stage_ = Stage::kValve;
 }
 

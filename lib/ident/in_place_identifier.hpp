@@ -287,9 +287,12 @@ class InPlaceIdentifier {
   [[no_unique_address]] std::conditional_t<(kMostSearched < Capacity), Placing, Whole>
       placing_;
   FullRateProcess<Real> full_rate_;
+  struct StaysHere {};
+  using Elsewhere =
+      std::conditional_t<kStemSearch, typename ValveSearch<Real>::Elsewhere, StaysHere>;
   // One after the other.
-  std::variant<std::monostate, CycleComparison<Real>, IntervalSearch<Real>, GapStage,
-               EvidenceStage>
+  std::variant<std::monostate, Elsewhere, CycleComparison<Real>, IntervalSearch<Real>,
+               GapStage, EvidenceStage>
       last_;
   Identification<Real> result_;
 };

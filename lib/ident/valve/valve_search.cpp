@@ -19,7 +19,8 @@ constexpr double kAsBefore = 1.3;
 template <class Real>
 void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> x,
                               std::span<Real> scratch, Stems& stems,
-                              const EarlierValve* earlier, Real u_range, bool doubted) {
+                              const EarlierValve* earlier, Real u_range, bool doubted,
+                              Elsewhere* elsewhere) {
   pass_.start(window, x, scratch);
   x_ = x;
   stems_ = &stems;
@@ -29,6 +30,7 @@ void ValveSearch<Real>::start(const SearchWindow<Real>& window, std::span<Real> 
   u_range_ = u_range;
   doubted_ = doubted;
   searched_ = true;
+  elsewhere_ = elsewhere;
   polish_ = {};
   constexpr Real kShares[kTimeConstants - 2] = {
       Real(0.01), Real(0.03), Real(0.08), Real(0.2), Real(0.5), Real(1.3), Real(4)};
@@ -62,6 +64,14 @@ void ValveSearch<Real>::decide() {
                       : screen(SlipMotion::kStops, Stage::kRememberingScreened);
     default:
       return remember();
+    case Stage::kLeftExplained:
+    case Stage::kPartBegun:
+    case Stage::kElsewherePlaced:
+    case Stage::kElsewherePolished:
+      if constexpr (kStemSearch) {
+        take_elsewhere();
+      }
+      return;
     case Stage::kRemembered:
       return search_nearby(SlipMotion::kStops);
     case Stage::kNearbyVaried:
@@ -109,9 +119,18 @@ void ValveSearch<Real>::search_nearby(SlipMotion motion) {
 template <class Real>
 void ValveSearch<Real>::end() {
   if (earlier_ != nullptr && earlier_->known()) {
-    try_earlier();
-  } else {
-    stage_ = Stage::kDone;
+    return try_earlier();
+  }
+  stage_ = Stage::kDone;
+  if constexpr (kStemSearch) {
+    if (searches_part()) {
+      return come_back();
+    }
+    if (searched_ && may_be_elsewhere()) {
+      pass_.use(whole());
+      pass_.explain(best_of_all());
+      begin(Trials::kOne, Stage::kLeftExplained);
+    }
   }
 }
 
@@ -196,9 +215,10 @@ bool ValveSearch<Real>::step(int budget) {
 #define STICKBAND_INSTANTIATE(Real)                                                    \
   template void ValveSearch<Real>::start(const SearchWindow<Real>&, std::span<Real>,   \
                                          std::span<Real>, Stems&, const EarlierValve*, \
-                                         Real, bool);                                  \
+                                         Real, bool, Elsewhere*);                      \
   template bool ValveSearch<Real>::step(int);                                          \
   template const ValveModel<Real>& ValveSearch<Real>::best_of_all() const;             \
+  template void ValveSearch<Real>::end();                                              \
   template void ValveSearch<Real>::search_nearby(SlipMotion);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

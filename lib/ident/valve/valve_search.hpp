@@ -47,6 +47,11 @@ namespace ident {
 /// by a tenth of the squared error than the best valve so far. Valves that stop are not
 /// tracked unless they are that much better on the first cycles.
 ///
+/// Which cycles come first decides where the search of a valve with a memory ends. Where
+/// there is room for it, one that leaves little, but more than noise, is therefore looked
+/// for once more from later cycles, and what comes of it is placed on the whole window:
+/// docs/model.md (T9).
+///
 /// The search can stop after any piece of a pass and resume: `start`, then `step` until
 /// `done`. Memory: one number for each sample of y, the tracker, and a few kilobytes.
 /// Bounds: 4,065 screened valves of kTimeConstants passes (over the first cycles for
@@ -59,15 +64,23 @@ class ValveSearch {
   /// The tracker's stems.
   using Stems =
       std::conditional_t<kSlipTracker, typename SlipTracker<Real>::Stems, LeftOut>;
+  /// What is best on the whole window while a part of it is searched.
+  struct Elsewhere {
+    std::array<ValveModel<Real>, kValveForms> best;
+    std::uint32_t from = 0;     ///< sample of y at which the part begins; 0: the whole
+    std::uint32_t warm_up = 0;  ///< of the whole
+    int parts = 0;              ///< that were searched
+  };
 
   /// Starts on a window; `x` and `scratch` have the length of window.y or more, `stems`
   /// may lie where x lies. All must outlive the search.
   /// `earlier`: a valve of the same loop that is tried too, or none; it must outlive the
   /// search. `u_range`: what u was divided by. `doubted`: no closed-loop evidence speaks
-  /// for any stick band.
+  /// for any stick band. `elsewhere`: room to search parts of the window, which must
+  /// outlive the search, or none.
   void start(const SearchWindow<Real>& window, std::span<Real> x, std::span<Real> scratch,
              Stems& stems, const EarlierValve* earlier = nullptr, Real u_range = Real(1),
-             bool doubted = false);
+             bool doubted = false, Elsewhere* elsewhere = nullptr);
   /// Goes on by about `budget` units; true when everything is done.
   bool step(int budget);
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
@@ -114,6 +127,10 @@ class ValveSearch {
     kNearbySimplified,
     kEarlierPlaced,
     kEarlierPolished,
+    kLeftExplained,
+    kPartBegun,
+    kElsewherePlaced,
+    kElsewherePolished,
     kDone
   };
   // Passes, or rounds of the tracker, that follow one another without a decision.
@@ -164,6 +181,15 @@ class ValveSearch {
   }
   [[nodiscard]] ValveModel<Real> earlier_here() const;
   [[nodiscard]] bool does_as_before() const;
+  [[nodiscard]] bool may_be_elsewhere() const;
+  [[nodiscard]] bool searches_part() const {
+    return elsewhere_ != nullptr && elsewhere_->from > 0;
+  }
+  void search_elsewhere();
+  void come_back();
+  void use_from(std::size_t from);
+  void grow_back(const ValveModel<Real>& found);
+  void take_elsewhere();
 
   // Each begins trials, after which the search is at the stage `then`.
   void begin(Trials trials, Stage then);
@@ -206,6 +232,7 @@ class ValveSearch {
   std::span<Real> x_;
   std::span<Real> scratch_;
   Stems* stems_ = nullptr;
+  Elsewhere* elsewhere_ = nullptr;
   const EarlierValve* earlier_ = nullptr;  // null once it was tried
   Real u_range_ = 1;
   std::size_t first_used_ = 0;  // samples of y, of the beam, while a tracked one is tried

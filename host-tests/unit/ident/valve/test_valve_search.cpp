@@ -92,7 +92,8 @@ template <class Real>
 class Search {
  public:
   explicit Search(const Scaled<Real>& s, int budget = 1 << 20,
-                  const EarlierValve* earlier = nullptr, bool doubted = false)
+                  const EarlierValve* earlier = nullptr, bool doubted = false,
+                  bool elsewhere = false)
       : positions_(s.y.size()), scratch_(s.y.size()) {
     SearchWindow<Real> window;
     window.u = s.u;
@@ -103,7 +104,7 @@ class Search {
     window.warm_up = s.warm_up;
     window.drift = false;
     search_.start(window, positions_, scratch_, *stems_, earlier,
-                  static_cast<Real>(s.range), doubted);
+                  static_cast<Real>(s.range), doubted, elsewhere ? &elsewhere_ : nullptr);
     while (!search_.step(budget)) {
       ++slices;
     }
@@ -135,6 +136,7 @@ class Search {
   std::vector<Real> scratch_;
   std::unique_ptr<typename ValveSearch<Real>::Stems> stems_ =
       std::make_unique<typename ValveSearch<Real>::Stems>();
+  typename ValveSearch<Real>::Elsewhere elsewhere_;
   ValveSearch<Real> search_;
 };
 
@@ -254,6 +256,21 @@ TEST(ValveSearch, NestedFormsAreNotWorseThanTheSimplerOnes) {
   EXPECT_EQ(search.best(ValveForm::kBacklash).friction.slip_ascending, 0);
   EXPECT_EQ(search.best(ValveForm::kAscending).friction.stick_descending(), 0);
   EXPECT_EQ(search.best(ValveForm::kDescending).friction.stick_ascending(), 0);
+}
+
+// Where the first cycles lead beside the valve, later ones lead to it.
+TEST(ValveSearch, LooksAtLaterCyclesWhereSomethingIsLeft) {
+  for (const int seed : {4, 6}) {
+    test::Random random(seed);
+    const Scaled<double> s = scale<double>(
+        test::simulate_loop(sticking(0, 4, 2, SlipMotion::kResticks), 2000, random));
+    const auto band = [&](bool elsewhere) {
+      const Search<double> search(s, 1 << 20, nullptr, false, elsewhere);
+      return search.found().friction.stick_ascending() * s.range;
+    };
+    EXPECT_GT(std::abs(band(false) - 4), 0.2) << seed;
+    EXPECT_NEAR(band(true), 4, 0.02) << seed;
+  }
 }
 
 // Slices change nothing: bit for bit the same.
