@@ -6,6 +6,7 @@
 #include <span>
 
 #include "ident/signal/leap.hpp"
+#include "workbench/analysis/alignment.hpp"
 #include "workbench/analysis/judged_pieces.hpp"
 #include "workbench/analysis/listening.hpp"
 #include "workbench/analysis/longest_part.hpp"
@@ -79,6 +80,11 @@ void Analysis::take(const RecordingView& recording) {
       longest = static_cast<std::size_t>(&piece - judged.pieces.data());
     }
     samples += static_cast<double>(piece.size());
+  }
+  const int late = samples_late(judged.pieces[longest]);
+  if (late != 0) {
+    notes_.push_back(alignment_note(late));
+    for (RecordingView& piece : judged.pieces) piece = aligned(piece, late);
   }
   const int decimation = decimation_of(judged.pieces[longest]);
   for (const RecordingView& piece : judged.pieces) {

@@ -1,0 +1,60 @@
+#include "workbench/analysis/alignment.hpp"
+
+#include <cstdlib>
+#include <span>
+
+#include "ident/signal/controller_action.hpp"
+
+namespace workbench {
+namespace {
+
+constexpr int kMost = 3;
+// What the law must explain, and leave over what it leaves as recorded.
+constexpr double kExplained = 0.25;
+constexpr double kSharper = 0.5;
+
+}  // namespace
+
+RecordingView aligned(const RecordingView& recording, int late) {
+  const auto shift = static_cast<std::size_t>(std::abs(late));
+  RecordingView out = recording.part(0, recording.size() - shift);
+  if (late > 0) {
+    out.y = recording.y.subspan(shift);
+  } else {
+    out.u = recording.u.subspan(shift);
+  }
+  return out;
+}
+
+int samples_late(const RecordingView& recording) {
+  constexpr std::size_t kFewest = 60;
+  if (recording.size() < kFewest) return 0;
+  const auto law = [&](int late) {
+    const RecordingView view = aligned(recording, late);
+    return ident::controller_action<double>(view.u, view.y, view.sp);
+  };
+  const double as_recorded = law(0).r_squared;
+  int best = 0;
+  double sharpest = kExplained;
+  for (int late = -kMost; late <= kMost; ++late) {
+    const auto action = law(late);
+    const bool agree = action.proportional * action.integral > 0;
+    if (late != 0 && agree && action.r_squared > sharpest) {
+      best = late;
+      sharpest = action.r_squared;
+    }
+  }
+  return 1 - sharpest < kSharper * (1 - as_recorded) ? best : 0;
+}
+
+std::string alignment_note(int late) {
+  const int samples = std::abs(late);
+  const std::string amount =
+      samples == 1 ? "one sample" : std::to_string(samples) + " samples";
+  return late > 0 ? "y is recorded " + amount +
+                        " later than the controller read it: moved back by as much"
+                  : "u is recorded " + amount +
+                        " later than the controller set it: moved back by as much";
+}
+
+}  // namespace workbench
