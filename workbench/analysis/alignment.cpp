@@ -48,13 +48,21 @@ int samples_late(const RecordingView& recording) {
 }
 
 std::string alignment_note(int late) {
-  const int samples = std::abs(late);
-  const std::string amount =
-      samples == 1 ? "one sample" : std::to_string(samples) + " samples";
-  return late > 0 ? "y is recorded " + amount +
-                        " later than the controller read it: moved back by as much"
-                  : "u is recorded " + amount +
-                        " later than the controller set it: moved back by as much";
+  switch (late) {
+    case 1:
+      return "y is recorded one sample later than the controller read it: moved back by "
+             "as much";
+    case -1:
+      return "u is recorded one sample later than the controller set it: moved back by "
+             "as much";
+    default:
+      return late > 0 ? "y is recorded " + std::to_string(late) +
+                            " samples later than the controller read it: moved back by "
+                            "as much"
+                      : "u is recorded " + std::to_string(-late) +
+                            " samples later than the controller set it: moved back by "
+                            "as much";
+  }
 }
 
 }  // namespace workbench

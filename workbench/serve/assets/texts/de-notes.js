@@ -53,6 +53,10 @@ export default {
   'joined recordings: y and u jump at {0} s; only the longest part, {1} to {2} s, is analysed': 'verbundene Aufzeichnungen: y und u springen bei {0} s; nur der längste Teil, {1} bis {2} s, wird untersucht',
   'the controller output rests at its limit of {0}, {1} times and {2} % of all samples: look for windup, and for a range or a valve that is too small': 'die Stellgröße ruht an ihrer Grenze von {0}, {1} Mal und {2} % aller Werte: nach Windup sehen und ob Stellbereich oder Ventil zu klein sind',
   'y moves with u in the same sample: the process answers faster than it is sampled, or u follows y. A shorter sample period would tell': 'y bewegt sich im selben Wert wie u: Die Strecke antwortet schneller, als abgetastet wird, oder u folgt y. Eine kürzere Abtastzeit würde es zeigen',
+  'y is recorded one sample later than the controller read it: moved back by as much': 'y ist einen Wert später aufgezeichnet, als der Regler es las: um so viel zurückgesetzt',
+  'y is recorded {0} samples later than the controller read it: moved back by as much': 'y ist {0} Werte später aufgezeichnet, als der Regler es las: um so viel zurückgesetzt',
+  'u is recorded one sample later than the controller set it: moved back by as much': 'u ist einen Wert später aufgezeichnet, als der Regler es stellte: um so viel zurückgesetzt',
+  'u is recorded {0} samples later than the controller set it: moved back by as much': 'u ist {0} Werte später aufgezeichnet, als der Regler es stellte: um so viel zurückgesetzt',
   'a start-up, up to {0} s, is left out: u moves much farther there than in the oscillation that follows': 'ein Anfahren bis {0} s ist ausgelassen: u bewegt sich dort viel weiter als in der Schwingung danach',
   'long recording: means of {0} samples are analysed, one every {1} s': 'lange Aufzeichnung: untersucht werden Mittel aus {0} Werten, eines alle {1} s',
 
