@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMost = 3;
 // What the law must explain, and leave over what it leaves as recorded.
-constexpr double kExplained = 0.25;
+constexpr double kExplained = 0.6;
 constexpr double kSharper = 0.5;
 
 }  // namespace
