@@ -326,6 +326,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
       const VerdictOnStems verdict(fitter, identified);
       for (Trial& trial : trials) verdict.refute(trial);
       verdict.confirm(trials);
+      verdict.mark(trials);
     } catch (const OutOfTime&) {  // the stems stand as they are
       end_in_time();
     }

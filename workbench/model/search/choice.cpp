@@ -174,10 +174,6 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
   return other;
 }
 
-bool needs_a_cause(const Trial& trial) {
-  return trial.partner == nullptr && trial.effect->description().is_unmeasured_load();
-}
-
 // What the recording cannot tell apart is looked for in the process first, the more so
 // where the other is a load that somebody would have to find. By the scores of the fits:
 // that of `best` may have been lowered to be listed first.
@@ -188,7 +184,7 @@ Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
   };
   for (Trial& trial : trials) {
     if (!accepted(trial)) continue;
-    const double margin = needs_a_cause(*best) ? kTooRich : kAsGood;
+    const double margin = is_lone_unmeasured_load(*best) ? kTooRich : kAsGood;
     const bool as_good =
         score_of(*trial.fit, colour) < score_of(*best->fit, colour) + margin;
     if (as_good && !is_fact(*best) && in_process(trial) && !in_process(*best) &&
@@ -198,6 +194,20 @@ Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
     }
   }
   return best;
+}
+
+// A load that nobody measured, begun and ended at will, follows one excursion of y better
+// than the valve that made it.
+Trial* identified_first(std::vector<Trial>& trials, Trial* best) {
+  if (!is_lone_unmeasured_load(*best)) return best;
+  Trial* stem = nullptr;
+  for (Trial& trial : trials) {
+    if (!trial.identified || !accepted(trial)) continue;
+    if (stem == nullptr || trial.score < stem->score) stem = &trial;
+  }
+  if (stem == nullptr) return best;
+  stem->score = std::min(stem->score, best->score - 1e-9);  // to be listed first
+  return stem;
 }
 
 bool is_in_group(const Fitter& fitter, const Trial& best, const Trial& trial) {
@@ -343,7 +353,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   if (closest == nullptr) return nullptr;
   const NoiseColour colour = colour_of(closest->fit->residual);
   Trial* best = in_process_first(fitter, colour, trials, best_of(fitter, trials, colour));
-  best = does_nearly_all(trials, best);
+  best = identified_first(trials, does_nearly_all(trials, best));
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;
   Trial* slipping = nullptr;

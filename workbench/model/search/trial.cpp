@@ -113,6 +113,10 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   }
 }
 
+bool is_lone_unmeasured_load(const Trial& trial) {
+  return trial.partner == nullptr && trial.effect->description().is_unmeasured_load();
+}
+
 bool is_significant(const Trial& trial) {
   return trial.p_family <= kSignificance;
 }

@@ -34,8 +34,9 @@ struct Trial {
   bool own = false;                 // shown by the effect's own test, not by the error
   bool on = false;                  // an interval excludes "off"
   bool edge = false;
-  bool too_few = false;  // it shows, but its events are too few
-  double score = 0;      // the smaller, the better; comparable between trials
+  bool too_few = false;     // it shows, but its events are too few
+  bool identified = false;  // the valve that the identification found
+  double score = 0;         // the smaller, the better; comparable between trials
   Candidate candidate;
 };
 
@@ -61,6 +62,9 @@ extern const char* const kUntold;  ///< why, of values that may be none
 
 /// True for what stands between the valve and the output's record.
 [[nodiscard]] bool is_in_process(const Trial& trial);
+
+/// True for one load that nobody measured, by itself.
+[[nodiscard]] bool is_lone_unmeasured_load(const Trial& trial);
 
 /// True where chance among all candidates does not do as much.
 [[nodiscard]] bool is_significant(const Trial& trial);

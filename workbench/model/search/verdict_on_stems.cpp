@@ -36,6 +36,12 @@ double stick_band_of(const Identification& found) {
   return std::max(found.stick_band.ascending.value, found.stick_band.descending.value);
 }
 
+bool is_as_wide(double band, const Identification& found) {
+  constexpr double kAlike = 2;
+  const double ratio = band / stick_band_of(found);
+  return ratio > 1 / kAlike && ratio < kAlike;
+}
+
 // Less of the error, if not beyond chance, by what could be this stem.
 bool may_be(const Trial& trial) {
   return trial.partner == nullptr && trial.fit && !trial.edge && trial.visible &&
@@ -137,7 +143,6 @@ void VerdictOnStems::refute(Trial& trial) const {
 }
 
 void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
-  constexpr double kAlike = 2;
   Trial* stem = nullptr;
   if (fitter_->output() != Column::y) return;
   for (Trial& trial : trials) {
@@ -150,8 +155,7 @@ void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
   const double nats = ident::nats_of_stems(found.evidence, 0.0);
   const bool fault = is_fault(found.verdict);
   if (!fault || !(nats >= ident::kAloneNats)) return;
-  const double ratio = stick_band_of(*stem->fit, *stem->effect) / stick_band_of(found);
-  if (!(ratio > 1 / kAlike) || !(ratio < kAlike)) return;
+  if (!is_as_wide(stick_band_of(*stem->fit, *stem->effect), found)) return;
   const FitIntervals intervals = intervals_of(*fitter_, *stem->fit);
   if (!excludes_off(*fitter_, *stem->fit, intervals, *stem->effect)) return;
   Candidate& c = stem->candidate;
@@ -165,6 +169,20 @@ void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
       "fitted, which alone could be chance; from one sample to the next, where loads do "
       "not hide it, a sticking stem as wide stands beyond doubt.",
       {number(c.error_reduction_percent, 3) + " %"});
+}
+
+void VerdictOnStems::mark(std::vector<Trial>& trials) const {
+  if (fitter_->output() != Column::y ||
+      std::ranges::none_of(trials, is_lone_unmeasured_load)) {
+    return;
+  }
+  for (Trial& trial : trials) {
+    const bool alone = trial.partner == nullptr && stem_of(trial) != nullptr;
+    if (!alone || !accepted(trial)) continue;
+    const Identification& found = identified_->result(fitter_->work());
+    trial.identified = is_fault(found.verdict) &&
+                       is_as_wide(stick_band_of(*trial.fit, *trial.effect), found);
+  }
 }
 
 }  // namespace workbench
