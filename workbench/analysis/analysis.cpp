@@ -119,7 +119,7 @@ RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t befor
 }
 
 RecordingView Analysis::without_start_up(const RecordingView& recording) {
-  const std::size_t end = start_up_end(recording.u);
+  const std::size_t end = start_up_end(recording.u, recording.y);
   if (end == 0) return recording;
   notes_.push_back("a start-up, up to " + number(recording.t[end]) +
                    " s, is left out: u moves much farther there than in the oscillation "

@@ -1,5 +1,6 @@
 #include "workbench/analysis/start_up.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +8,26 @@
 #include "workbench/analysis/listening.hpp"
 
 namespace workbench {
+namespace {
 
-std::size_t start_up_end(std::span<const double> u) {
+// Share of the squares of y that a straight line over time takes away.
+double straight_share(std::span<const double> y) {
+  const auto n = static_cast<Eigen::Index>(y.size());
+  const Eigen::Map<const Eigen::ArrayXd> values(y.data(), n);
+  const Eigen::ArrayXd off = values - values.mean();
+  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(n, -1, 1);
+  const double squares = off.square().sum() * time.square().sum();
+  const double product = (off * time).sum();
+  return squares > 0 ? product * product / squares : 0;
+}
+
+}  // namespace
+
+std::size_t start_up_end(std::span<const double> u, std::span<const double> y) {
   constexpr double kFar = 3;   // swings of the second half that a start-up moves u beyond
   constexpr double kNear = 1;  // swings off the middle that still are the limit cycle
   constexpr double kFewestCycles = 5;
+  constexpr double kRunsAway = 0.5;  // share of y that a straight line takes away
   const std::size_t half = u.size() / 2;
   if (half < Identifier::kFewestSamples) return 0;
   const std::span<const double> late = u.subspan(half);
@@ -27,7 +43,7 @@ std::size_t start_up_end(std::span<const double> u) {
   const Heard heard = listen(late);
   const bool cycles =
       heard.period > 0 && kFewestCycles * heard.period < static_cast<double>(late.size());
-  return cycles ? end : 0;
+  return cycles && straight_share(y.subspan(half)) < kRunsAway ? end : 0;
 }
 
 }  // namespace workbench

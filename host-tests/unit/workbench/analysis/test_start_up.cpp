@@ -26,9 +26,14 @@ std::vector<double> ramp_then_sine(double far, std::size_t sine) {
   return u;
 }
 
+// Of a loop whose y follows u.
+std::size_t end_of(const std::vector<double>& u) {
+  return start_up_end(u, u);
+}
+
 TEST(StartUp, EndsWhereOnlyTheCycleIsLeft) {
   const std::vector<double> u = ramp_then_sine(20, 800);
-  const std::size_t end = start_up_end(u);
+  const std::size_t end = end_of(u);
   EXPECT_GT(end, kRamp - 20);
   EXPECT_LE(end, kRamp);
 }
@@ -36,11 +41,19 @@ TEST(StartUp, EndsWhereOnlyTheCycleIsLeft) {
 TEST(StartUp, IsNoneWhereNothingCyclesAfterwards) {
   std::vector<double> step(400, 0.0);
   step.resize(1000, 50.0);
-  EXPECT_EQ(start_up_end(step), 0U);
-  EXPECT_EQ(start_up_end(ramp_then_sine(4, 800)), 0U) << "a swing or two is no start-up";
-  EXPECT_EQ(start_up_end(ramp_then_sine(20, 100)), 0U) << "longer than half";
-  EXPECT_EQ(start_up_end(ramp_then_sine(0, 880)), 0U);
-  EXPECT_EQ(start_up_end({}), 0U);
+  EXPECT_EQ(end_of(step), 0U);
+  EXPECT_EQ(end_of(ramp_then_sine(4, 800)), 0U) << "a swing or two is no start-up";
+  EXPECT_EQ(end_of(ramp_then_sine(20, 100)), 0U) << "longer than half";
+  EXPECT_EQ(end_of(ramp_then_sine(0, 880)), 0U);
+  EXPECT_EQ(end_of({}), 0U);
+}
+
+// A pump that hums while its tank fills.
+TEST(StartUp, IsNoneWhereTheOutputRunsOn) {
+  const std::vector<double> u = ramp_then_sine(20, 800);
+  std::vector<double> y;
+  for (std::size_t k = 0; k < u.size(); ++k) y.push_back(static_cast<double>(k) + u[k]);
+  EXPECT_EQ(start_up_end(u, y), 0U);
 }
 
 TEST(StartUp, HidesNoStickingValve) {
