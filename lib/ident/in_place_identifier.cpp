@@ -348,7 +348,7 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   ValveStage& stage = valve_stage();
   typename ValveSearch<Real>::Elsewhere* elsewhere = nullptr;
   if constexpr (kStemSearch) {
-    elsewhere = &last_.template emplace<Elsewhere>();
+    elsewhere = options_.later_cycles ? &last_.template emplace<Elsewhere>() : nullptr;
   }
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
                      stage.stems, options_.earlier, u_range(), doubted, elsewhere);

@@ -50,6 +50,9 @@ struct WindowOptions {
   /// Neither of these models nor the model gap, with the same exception: the verdict, its
   /// bands and all that they rest on are the same without them.
   bool verdict_only = false;
+  /// A valve with a memory is looked for from later cycles, too (T9); where a start for
+  /// another search is all that is wanted, the first do.
+  bool later_cycles = true;
   /// Of the same loop, to start from, or none; as it is until `next_start` was asked for.
   const EarlierValve* earlier = nullptr;
 };

@@ -16,6 +16,7 @@ std::vector<SeenStem> stems_seen(std::span<const double> u, std::span<const doub
   constexpr int kBudget = 200;  // some 10 ms of a desk
   ident::WindowOptions options;
   options.verdict_only = true;
+  options.later_cycles = false;
   identifier->start(u.first(n), y.first(n), {}, 0, options);
   while (!identifier->step(kBudget)) work.check();
   const auto& found = identifier->result();
