@@ -12,7 +12,8 @@ namespace {
 constexpr double kLeavesLittle = 0.5;
 // The parts of the window that are searched begin at these shares of it, where they hold
 // so many cycles.
-constexpr std::array kFrom = {0.5, 0.25, 0.125};
+template <class Real>
+constexpr std::array kFrom = {Real(0.5), Real(0.25), Real(0.125)};
 constexpr double kFewestCycles = 4;
 
 }  // namespace
@@ -21,7 +22,8 @@ constexpr double kFewestCycles = 4;
 template <class Real>
 bool ValveSearch<Real>::may_be_elsewhere() const {
   const ValveModel<Real>& best = best_of_all();
-  return elsewhere_ != nullptr && elsewhere_->parts < static_cast<int>(kFrom.size()) &&
+  return elsewhere_ != nullptr &&
+         elsewhere_->parts < static_cast<int>(kFrom<Real>.size()) &&
          best.friction.motion != SlipMotion::kSlides &&
          best.fit.error < Real(kLeavesLittle) * this->best(ValveForm::kLinear).fit.error;
 }
@@ -66,7 +68,7 @@ void ValveSearch<Real>::use_from(std::size_t from) {
 
 template <class Real>
 void ValveSearch<Real>::search_elsewhere() {
-  const Real share = Real(kFrom[static_cast<std::size_t>(elsewhere_->parts++)]);
+  const Real share = kFrom<Real>[static_cast<std::size_t>(elsewhere_->parts++)];
   const auto from = static_cast<std::size_t>(share * static_cast<Real>(whole()));
   if (static_cast<Real>(whole() - from) < Real(kFewestCycles) * window().period) {
     return end();
