@@ -203,6 +203,24 @@ TEST(VerdictOnStems, ConfirmsTheStemThatItFoundAndNoOtherWidth) {
   EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kRejected) << "nothing in doubt";
 }
 
+// Only where a load that nobody measured would come before it.
+TEST(VerdictOnStems, MarksTheStemThatItFoundAndNoOtherWidth) {
+  const Recording recording = with_play();
+  const Fitter fitter(recording, Column::y);
+  Identified identified({recording});
+  const VerdictOnStems verdict(fitter, identified);
+  const auto marked = [&](double band, const Effect& other) {
+    std::vector<Trial> trials = {trial_of_play(fitter, band)};
+    trials.emplace_back().effect = &other;
+    verdict.mark(trials);
+    EXPECT_FALSE(trials[1].identified);
+    return trials[0].identified;
+  };
+  EXPECT_TRUE(marked(6, effects::disturbance_step()));
+  EXPECT_FALSE(marked(15, effects::disturbance_step())) << "another width";
+  EXPECT_FALSE(marked(6, effects::process_dead_time())) << "no load";
+}
+
 TEST(VerdictOnStems, ConfirmsNothingWhereTheValveFollows) {
   const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
