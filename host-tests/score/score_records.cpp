@@ -21,6 +21,7 @@
 #include "ident/signal/sensor_hold.hpp"
 #include "ident/signal/storage.hpp"
 #include "ident/signal/swap.hpp"
+#include "workbench/analysis/alignment.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/simulate/draft.hpp"
@@ -241,6 +242,36 @@ void score_swapped(const std::string& name, const std::vector<Loop>& loops) {
   std::printf("| %s | %zu | %d | %d |\n", name.c_str(), loops.size(), with, without);
 }
 
+// As recorded with y so many samples behind u, or u behind y where below 0.
+workbench::Recording recorded_late(const Loop& loop, int late) {
+  const std::size_t of_y = static_cast<std::size_t>(std::max(late, 0));
+  const std::size_t of_u = static_cast<std::size_t>(std::max(-late, 0));
+  workbench::Recording out;
+  out.period_s = 1;
+  for (std::size_t t = of_y + of_u; t < loop.u.size(); ++t) {
+    out.t.push_back(static_cast<double>(out.t.size()));
+    out.u.push_back(loop.u[t - of_u]);
+    out.y.push_back(loop.y[t - of_y]);
+    if (!loop.sp.empty()) out.sp.push_back(loop.sp[t]);
+  }
+  return out;
+}
+
+void score_late(const std::string& name, const std::vector<Loop>& loops) {
+  std::printf("| %s | %zu |", name.c_str(), loops.size());
+  for (const int late : {0, 1, 2, -1}) {
+    int told = 0;
+    int wrong = 0;
+    for (const Loop& loop : loops) {
+      const int found = workbench::samples_late(recorded_late(loop, late));
+      told += found == late && late != 0;
+      wrong += found != late && found != 0;
+    }
+    std::printf(" %d, %d |", told, wrong);
+  }
+  std::printf("\n");
+}
+
 void score_stored(const std::string& name, const std::vector<Loop>& loops) {
   for (const double width : {0.02, 0.05, 0.1, 0.2}) {
     std::vector<Loop> lines = loops;
@@ -403,6 +434,12 @@ int main(int argc, char** argv) {
       "|\n|---|---|---|---|\n");
   score_swapped("recordings", recorded);
   score_swapped("simulated", simulated);
+  std::printf(
+      "\nStored at different times: told rightly, told wrongly\n\n"
+      "| loops | n | as they are | y 1 later | y 2 later | u 1 later |\n"
+      "|---|---|---|---|---|---|\n");
+  score_late("recordings", recorded);
+  score_late("simulated", simulated);
   print_header("Compressed, u and y; width in standard deviations");
   score_stored("recordings", recorded);
   score_stored("simulated", simulated);
