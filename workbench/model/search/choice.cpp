@@ -174,6 +174,10 @@ Trial* best_of(const Fitter& fitter, std::vector<Trial>& trials,
   return other;
 }
 
+bool needs_a_cause(const Trial& trial) {
+  return trial.partner == nullptr && trial.effect->description().is_unmeasured_load();
+}
+
 // What the recording cannot tell apart is looked for in the process first, the more so
 // where the other is a load that somebody would have to find. By the scores of the fits:
 // that of `best` may have been lowered to be listed first.
@@ -184,7 +188,7 @@ Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
   };
   for (Trial& trial : trials) {
     if (!accepted(trial)) continue;
-    const double margin = is_lone_unmeasured_load(*best) ? kTooRich : kAsGood;
+    const double margin = needs_a_cause(*best) ? kTooRich : kAsGood;
     const bool as_good =
         score_of(*trial.fit, colour) < score_of(*best->fit, colour) + margin;
     if (as_good && !is_fact(*best) && in_process(trial) && !in_process(*best) &&
@@ -196,10 +200,10 @@ Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
   return best;
 }
 
-// A load that nobody measured, begun and ended at will, follows one excursion of y better
-// than the valve that made it.
+// A load that steps at will follows one excursion of y better than the valve that made
+// it; one that swings has to do so in every period.
 Trial* identified_first(std::vector<Trial>& trials, Trial* best) {
-  if (!is_lone_unmeasured_load(*best)) return best;
+  if (!is_lone_load_step(*best)) return best;
   Trial* stem = nullptr;
   for (Trial& trial : trials) {
     if (!trial.identified || !accepted(trial)) continue;

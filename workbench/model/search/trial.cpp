@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
@@ -113,8 +114,8 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   }
 }
 
-bool is_lone_unmeasured_load(const Trial& trial) {
-  return trial.partner == nullptr && trial.effect->description().is_unmeasured_load();
+bool is_lone_load_step(const Trial& trial) {
+  return trial.partner == nullptr && trial.effect == &effects::disturbance_step();
 }
 
 bool is_significant(const Trial& trial) {

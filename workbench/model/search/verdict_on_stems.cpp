@@ -172,8 +172,7 @@ void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
 }
 
 void VerdictOnStems::mark(std::vector<Trial>& trials) const {
-  if (fitter_->output() != Column::y ||
-      std::ranges::none_of(trials, is_lone_unmeasured_load)) {
+  if (fitter_->output() != Column::y || std::ranges::none_of(trials, is_lone_load_step)) {
     return;
   }
   for (Trial& trial : trials) {

@@ -16,9 +16,9 @@ namespace workbench {
 /// how small a stick band would have shown, a wider one is none; where it is undecided,
 /// and its own stem foretells nothing, or the setpoint explains the movement and no stem
 /// is closer, another one is none, too; and where it finds a fault by more than it needs
-/// alone, a stem of that width is there; and a load that nobody measured does not come
-/// before a stem that the identification finds, too. Asks the identification only where
-/// that may change an answer.
+/// alone, a stem of that width is there; and a load that steps and nobody measured does
+/// not come before a stem that the identification finds, too. Asks the identification
+/// only where that may change an answer.
 class VerdictOnStems {
  public:
   /// Both must outlive this.
@@ -39,7 +39,7 @@ class VerdictOnStems {
   void confirm(std::vector<Trial>& trials) const;
   /// Marks the accepted trials of one stem as identified where the identification finds a
   /// fault of that stick band, within a factor of two, and one of `trials` is a load that
-  /// nobody measured.
+  /// steps and nobody measured.
   void mark(std::vector<Trial>& trials) const;
 
  private:

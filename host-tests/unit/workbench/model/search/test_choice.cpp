@@ -52,7 +52,7 @@ TEST(Choice, TheTwoOfTheBestPairAreToldThatTheyAreOne) {
 
 // A load begun and ended at will leaves less than the valve that the identification
 // found.
-TEST(Choice, TheValveThatIsIdentifiedComesBeforeALoadThatNobodyMeasured) {
+TEST(Choice, TheValveThatIsIdentifiedComesBeforeALoadStepThatNobodyMeasured) {
   test::SetpointLoop loop;
   loop.valve = test::backlash(4);
   loop.load = [](std::size_t k) { return k >= 600 ? 30.0 : 0.0; };

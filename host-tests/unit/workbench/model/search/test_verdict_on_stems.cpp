@@ -203,7 +203,7 @@ TEST(VerdictOnStems, ConfirmsTheStemThatItFoundAndNoOtherWidth) {
   EXPECT_EQ(trials[0].candidate.status, CandidateStatus::kRejected) << "nothing in doubt";
 }
 
-// Only where a load that nobody measured would come before it.
+// Only where a load that steps at will would come before it.
 TEST(VerdictOnStems, MarksTheStemThatItFoundAndNoOtherWidth) {
   const Recording recording = with_play();
   const Fitter fitter(recording, Column::y);
@@ -219,6 +219,7 @@ TEST(VerdictOnStems, MarksTheStemThatItFoundAndNoOtherWidth) {
   EXPECT_TRUE(marked(6, effects::disturbance_step()));
   EXPECT_FALSE(marked(15, effects::disturbance_step())) << "another width";
   EXPECT_FALSE(marked(6, effects::process_dead_time())) << "no load";
+  EXPECT_FALSE(marked(6, effects::disturbance_sinusoid())) << "not at will";
 }
 
 TEST(VerdictOnStems, ConfirmsNothingWhereTheValveFollows) {
