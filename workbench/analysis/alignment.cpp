@@ -4,6 +4,7 @@
 #include <span>
 
 #include "ident/signal/controller_action.hpp"
+#include "workbench/analysis/analysis.hpp"
 
 namespace workbench {
 namespace {
@@ -27,8 +28,7 @@ RecordingView aligned(const RecordingView& recording, int late) {
 }
 
 int samples_late(const RecordingView& recording) {
-  constexpr std::size_t kFewest = 60;
-  if (recording.size() < kFewest) return 0;
+  if (recording.size() < Identifier::kFewestSamples) return 0;
   const auto law = [&](int late) {
     const RecordingView view = aligned(recording, late);
     return ident::controller_action<double>(view.u, view.y, view.sp);
@@ -37,9 +37,10 @@ int samples_late(const RecordingView& recording) {
   int best = 0;
   double sharpest = kExplained;
   for (int late = -kMost; late <= kMost; ++late) {
+    if (late == 0) continue;
     const auto action = law(late);
     const bool agree = action.proportional * action.integral > 0;
-    if (late != 0 && agree && action.r_squared > sharpest) {
+    if (agree && action.r_squared > sharpest) {
       best = late;
       sharpest = action.r_squared;
     }

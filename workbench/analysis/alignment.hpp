@@ -15,8 +15,8 @@ namespace workbench {
 /// next value better than any valve does: it was computed from it. O(samples).
 [[nodiscard]] int samples_late(const RecordingView& recording);
 
-/// The same recording with y moved back, or forth, by so many samples; the ends that have
-/// no partner go.
+/// The same recording with y, or below 0 with u, moved back by so many samples; the ends
+/// that have no partner go.
 [[nodiscard]] RecordingView aligned(const RecordingView& recording, int late);
 
 /// What there is to say of that; `late` is not 0.
