@@ -1,11 +1,12 @@
 #include "workbench/analysis/signal_notes.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <functional>
 #include <span>
 
 #include "workbench/recording/output_limit.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
@@ -18,14 +19,7 @@ bool never_moves(std::span<const double> values) {
 // What a straight line of u leaves of y, a share of its squares; y `after` samples later.
 double left_by_line(std::span<const double> u, std::span<const double> y,
                     std::size_t after) {
-  using Signal = Eigen::Map<const Eigen::ArrayXd>;
-  const auto n = static_cast<Eigen::Index>(u.size() - after);
-  const Signal from(u.data(), n);
-  const Signal to(y.data() + after, n);
-  const double covariance = ((from - from.mean()) * (to - to.mean())).sum();
-  const double squares =
-      (from - from.mean()).square().sum() * (to - to.mean()).square().sum();
-  return squares > 0 ? 1 - covariance * covariance / squares : 1;
+  return 1 - squared_correlation(u.first(u.size() - after), y.subspan(after));
 }
 
 // Where the samples are too far apart to see which of u and y comes first.

@@ -1,24 +1,22 @@
 #include "workbench/analysis/start_up.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/analysis/listening.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench {
 namespace {
 
 // Share of the squares of y that a straight line over time takes away.
 double straight_share(std::span<const double> y) {
-  const auto n = static_cast<Eigen::Index>(y.size());
-  const Eigen::Map<const Eigen::ArrayXd> values(y.data(), n);
-  const Eigen::ArrayXd off = values - values.mean();
-  const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(n, -1, 1);
-  const double squares = off.square().sum() * time.square().sum();
-  const double product = (off * time).sum();
-  return squares > 0 ? product * product / squares : 0;
+  std::vector<double> time(y.size());
+  std::iota(time.begin(), time.end(), 0.0);
+  return squared_correlation(time, y);
 }
 
 }  // namespace
