@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 
 #include "workbench/recording/date_count.hpp"
 #include "workbench/recording/statistics.hpp"
@@ -143,6 +144,21 @@ bool is_unusual_step(double step) {
                                300, 360, 600, 720, 900, 1200, 1800, 3600, 7200};
   return step >= kUsual[0] && step == std::round(step) &&
          std::find(std::begin(kUsual), std::end(kUsual), step) == std::end(kUsual);
+}
+
+bool is_uneven_count(std::span<const double> times) {
+  constexpr double kLongest = 4;
+  constexpr double kMostUsual = 0.9;
+  std::map<double, std::size_t> steps;
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const double step = times[k] - times[k - 1];
+    if (step != std::round(step) || step < 1 || step > kLongest) return false;
+    ++steps[step];
+  }
+  const double all = static_cast<double>(times.size()) - 1;
+  return !steps.empty() && std::ranges::none_of(steps, [all](const auto& step) {
+    return static_cast<double>(step.second) > kMostUsual * all;
+  });
 }
 
 }  // namespace workbench

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,10 @@ struct DayTimes {
 /// True for a step of whole seconds, five or more, that no recorder is set to, but a
 /// clock in milliseconds counts.
 [[nodiscard]] bool is_unusual_step(double step);
+
+/// True for whole numbers of which every tenth step or more is not the usual one, none
+/// longer than a few: as a loop counts milliseconds that takes one, two or three of them.
+/// O(n).
+[[nodiscard]] bool is_uneven_count(std::span<const double> times);
 
 }  // namespace workbench

@@ -266,7 +266,7 @@ void TimeColumn::take_bare(TimesOfRows& out, double& scale) {
     return;
   }
   out.bare_step_s = step;
-  if (!seconds_only_ && is_unusual_step(step)) {
+  if (!seconds_only_ && (is_unusual_step(step) || is_uneven_count(seconds_))) {
     out.notes.push_back("the times name no unit: taken as seconds, " + number(step) +
                         " apart; where they are milliseconds, say so after the name: "
                         "--time \"NAME [ms]\"");

@@ -11,7 +11,7 @@ namespace {
 // What the intervals alone say of an effect.
 struct Told {
   bool any = false;       // one of its parameters has an "off"
-  bool smooth = false;    // and moves the error without steps
+  bool smooth = false;    // and it moves the error without steps
   bool excludes = false;  // and an interval without it
 };
 
@@ -35,6 +35,19 @@ bool is_smooth(const SearchedParameter& parameter) {
   return parameter.off && !parameter.constant && !parameter.jumpy;
 }
 
+// Where its signal was recorded, how strong a load is and how slow are told for one
+// another, without steps.
+bool has_known_shape(const Effect& effect) {
+  return effect.description().recorded;
+}
+
+// (W35) About a value that is not zero, as wide by factors as `interval` is by sums.
+Interval by_factors(double value, const Interval& interval) {
+  const double factor = std::exp((interval.high - interval.low) / (2 * std::abs(value)));
+  return {std::min(value / factor, value * factor),
+          std::max(value / factor, value * factor)};
+}
+
 Told told_by(const FitIntervals& intervals, const Fit& fit, const Effect& effect,
              Steps steps = Steps::kSlope) {
   Told told;
@@ -50,6 +63,7 @@ Told told_by(const FitIntervals& intervals, const Fit& fit, const Effect& effect
     const FreeRun::Column& column = fit.columns[i];
     if (column.effect != &effect || !column.strength) continue;
     told.any = true;
+    told.smooth = told.smooth || has_known_shape(effect);
     const Interval& interval = intervals.solved[i];
     told.excludes = told.excludes || interval.low > 0 || interval.high < 0;
   }
@@ -130,6 +144,12 @@ bool end_by_profile(const Fitter& fitter, const Fit& fit, const Effect& effect,
     Interval& interval = intervals.searched[i];
     interval.low = std::max(interval.low, above ? near : far);
     interval.high = std::min(interval.high, above ? far : near);
+  }
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    const FreeRun::Column& column = fit.columns[i];
+    if (column.effect != &effect || !column.strength || !has_known_shape(effect))
+      continue;
+    intervals.solved[i] = by_factors(fit.coefficients[i], intervals.solved[i]);
   }
   return true;
 }

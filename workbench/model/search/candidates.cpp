@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/model/base/noise.hpp"
+#include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/off_profile.hpp"
@@ -204,16 +205,23 @@ void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& ba
 
 // (W8) A load whose instant has many small valleys is told from none by the walk over all
 // parameters: beside a fixed instant its strength looks surer than it is.
-void leave_untold_loads_open(const Fitter& fitter, std::vector<Trial>& trials) {
+// Of several together each has to be told, as it is in a model of them.
+void leave_untold_values_open(const Fitter& fitter, std::vector<Trial>& trials) {
   const auto is_told = [&](const Trial& trial) {
-    return excludes_off(fitter, *trial.fit, thorough_intervals_of(fitter, *trial.fit),
-                        *trial.effect);
+    if (trial.partner == nullptr) {
+      return excludes_off(fitter, *trial.fit, thorough_intervals_of(fitter, *trial.fit),
+                          *trial.effect);
+    }
+    const FitIntervals intervals = told_intervals_of(fitter, *trial.fit);
+    return std::ranges::none_of(members_of(trial), [&](const Effect* member) {
+      return holds_off(*trial.fit, intervals, *member);
+    });
   };
   const Work::WritingDown writing(fitter.work());
   fitter.work().for_each(trials.size(), [&](std::size_t i) {
     Trial& trial = trials[i];
-    if (!accepted(trial) || trial.partner != nullptr) return;
-    if (!is_jumpy_load(trial) || is_told(trial)) return;
+    if (!accepted(trial) || !(trial.partner != nullptr || is_jumpy_load(trial))) return;
+    if (is_told(trial)) return;
     leave_in_doubt(trial, kUntold);
   });
 }
@@ -225,7 +233,7 @@ void leave_doubtful_open(const Fitter& fitter, const Fit& base, Told told,
   leave_under_loads(fitter, trials);
   leave_fitted_only_open(fitter, base, trials);
   leave_outdone_open(trials);
-  leave_untold_loads_open(fitter, trials);
+  leave_untold_values_open(fitter, trials);
 }
 
 // A pair that failed says nothing that its members do not say, but where it leaves far

@@ -113,6 +113,20 @@ TEST(ClockDigits, BelowTwentyFourHundredMayBeHoursAndMinutes) {
   EXPECT_FALSE(clock_digits(digits(0, 600))->open);
 }
 
+TEST(ClockDigits, AnUnevenCountIsOfALoopThatTakesAFewMilliseconds) {
+  std::vector<double> loop = {445};
+  for (int i = 0; i < 100; ++i)
+    loop.push_back(loop.back() + 1 + (i % 7 == 3) + (i % 5 == 0));
+  EXPECT_TRUE(is_uneven_count(loop));
+  std::vector<double> seconds;
+  for (int i = 0; i < 100; ++i) seconds.push_back(i < 50 ? i : i + 1);
+  EXPECT_FALSE(is_uneven_count(seconds)) << "one sample is missing";
+  loop.push_back(loop.back() + 60);
+  EXPECT_FALSE(is_uneven_count(loop)) << "a pause";
+  EXPECT_FALSE(is_uneven_count(std::vector<double>{0, 0.5, 1.5}));
+  EXPECT_FALSE(is_uneven_count({}));
+}
+
 TEST(ClockDigits, AreNotEvenSteps) {
   std::vector<double> fifties;
   for (int i = 0; i < 100; ++i) fifties.push_back(50 * i);
