@@ -252,8 +252,9 @@ Held held_in(std::span<const double> reading, double same) {
     if (jump > same) jumps.push_back(jump);
   }
   const auto n = static_cast<double>(reading.size());
-  return {jumps.size(), 1 - static_cast<double>(jumps.size()) / std::max(n, 1.0),
-          jumps.empty() ? 0 : quantile(jumps, kSmall)};
+  const double share = 1 - static_cast<double>(jumps.size()) / std::max(n, 1.0);
+  if (jumps.empty()) return {0, share, 0, 0};
+  return {jumps.size(), share, quantile(jumps, kSmall), quantile(jumps, 0.5)};
 }
 
 }  // namespace workbench::effects

@@ -34,6 +34,7 @@ struct Held {
   std::size_t jumps = 0;  ///< from one reading to another
   double share = 0;       ///< of the samples that repeat the one before
   double least_jump = 0;  ///< 5 % of the jumps are smaller
+  double usual_jump = 0;  ///< half of them are
 };
 [[nodiscard]] Held held_in(std::span<const double> reading, double same);
 

@@ -76,6 +76,15 @@ bool is_interpolated(const Situation& s) {
          stored < (1 - kMuch) * static_cast<double>(s.samples());
 }
 
+// Whether most of the repeats are instants that no row was read for, and the rows are
+// not those that left a band: a loop that asks when it can, not a historian.
+bool is_own_doing(const Situation& s, const Held& held) {
+  constexpr double kMost = 0.5;      // of the repeats
+  constexpr double kSmallest = 0.2;  // of a usual move: none is below a band
+  return s.filled_share > kMost * held.share &&
+         held.least_jump < kSmallest * held.usual_jump;
+}
+
 // Whether what holds them does so in the same rows.
 bool are_read_together(std::span<const double> u, std::span<const double> y) {
   constexpr double kApart = 0.1;  // of the rows in which either changes
@@ -144,6 +153,7 @@ class Compression final : public Effect {
     const Holder holder = who_holds(s.u, s.y);
     if (holder != Holder::kHistorian && holder != Holder::kEither) return {};
     const Held held = held_in(s.y, same_reading(s.y_low, s.y_high));
+    if (is_own_doing(s, held)) return {};
     return {{held.least_jump, 1 - held.share, 1}};
   }
   [[nodiscard]] Excitation excitation(const Situation& s,

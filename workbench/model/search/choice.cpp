@@ -9,6 +9,7 @@
 #include "workbench/model/fit/lags_in_series.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/rivals.hpp"
+#include "workbench/model/search/known_first.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -200,20 +201,6 @@ Trial* in_process_first(const Fitter& fitter, const NoiseColour& colour,
   return best;
 }
 
-// A load that steps at will follows one excursion of y better than the valve that made
-// it; one that swings has to do so in every period.
-Trial* identified_first(std::vector<Trial>& trials, Trial* best) {
-  if (!is_lone_load_step(*best)) return best;
-  Trial* stem = nullptr;
-  for (Trial& trial : trials) {
-    if (!trial.identified || !accepted(trial)) continue;
-    if (stem == nullptr || trial.score < stem->score) stem = &trial;
-  }
-  if (stem == nullptr) return best;
-  stem->score = std::min(stem->score, best->score - 1e-9);  // to be listed first
-  return stem;
-}
-
 bool is_in_group(const Fitter& fitter, const Trial& best, const Trial& trial) {
   if (is_fact(trial)) return is_same_fact(best, trial);
   return trial.partner == nullptr && best.partner == nullptr && !is_fact(best) &&
@@ -357,7 +344,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
   if (closest == nullptr) return nullptr;
   const NoiseColour colour = colour_of(closest->fit->residual);
   Trial* best = in_process_first(fitter, colour, trials, best_of(fitter, trials, colour));
-  best = identified_first(trials, does_nearly_all(trials, best));
+  best = known_first(fitter, trials, does_nearly_all(trials, best));
   std::vector<Trial*> group = {best};
   std::vector<Trial*> others;
   Trial* slipping = nullptr;

@@ -9,6 +9,7 @@
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/judge/merit.hpp"
+#include "workbench/model/search/known_first.hpp"
 
 namespace workbench {
 namespace {
@@ -46,14 +47,13 @@ bool first_lag_is_longest(const Fit& fit) {
   return false;
 }
 
-bool is_slow_load(const Effect* effect) {
-  const Description& of = effect->description();
-  return of.is_unmeasured_load() && of.view == View::kTime;
-}
-
 bool stores(const Trial& pair) {
   const Effect* const integrating = &effects::process_integrating();
   return pair.effect == integrating || pair.partner == integrating;
+}
+
+bool is_of_recorded(const Trial& pair) {
+  return has_recorded_load(members_of(pair));
 }
 
 bool can_be_alone(const Trial* trial) {
@@ -105,11 +105,15 @@ class PairSearch {
                           [this](const Trial& pair) { return may_be(pair); });
     std::vector<Trial> storing;
     if (never_settles_) std::ranges::copy_if(pairs_, std::back_inserter(storing), stores);
+    std::optional<Trial> known = of_known_cause();
     if (pairs_.size() > kClosestPairs) pairs_.resize(kClosestPairs);
     constexpr double kFarBehind = 1.5;
     std::erase_if(pairs_, [most = pairs_.empty() ? 0 : kFarBehind * pairs_[0].fit->error](
                               const Trial& pair) { return pair.fit->error > most; });
     std::vector<Trial> closest = std::move(pairs_);
+    if (known && std::ranges::none_of(closest, is_of_recorded)) {
+      closest.push_back(std::move(*known));
+    }
     if (never_settles_) {
       std::optional<Trial> pair = best_storing(std::move(storing));
       if (pair && std::ranges::none_of(closest, stores)) {
@@ -145,6 +149,19 @@ class PairSearch {
     }
   }
 
+  // Where a load that nobody measured fits best: the closest with a recorded one, which
+  // may be told in its place. `pairs_` are sorted.
+  [[nodiscard]] std::optional<Trial> of_known_cause() const {
+    if (pairs_.empty() || !has_unknown_cause(members_of(pairs_[0]))) return std::nullopt;
+    constexpr double kMost = 4;  // known_first() judges when both are searched to the end
+    const auto found = std::ranges::find_if(pairs_, [this](const Trial& pair) {
+      return is_of_recorded(pair) && may_be(pair);
+    });
+    const bool near =
+        found != pairs_.end() && found->fit->error < kMost * pairs_[0].fit->error;
+    return near ? std::optional(*found) : std::nullopt;
+  }
+
   // (W25) Where the first lag is as long as it may be: the integrator and what holds it
   // back, which show only together, if they leave far less than any effect alone.
   // `pairs`: those that were tried before.
@@ -169,7 +186,7 @@ class PairSearch {
     for (std::size_t i = 0; i < std::min(kPairedWithAll, few); ++i) out.push_back(i);
     for (std::size_t i = kPairedWithAll; i < few; ++i) {
       const Effect* effect = order_[i]->effect;
-      if (is_slow_load(effect) || effect->description().recorded) out.push_back(i);
+      if (is_slow_load(*effect) || effect->description().recorded) out.push_back(i);
     }
     for (const Trial& pair : pairs_) {
       if (!is_noise(pair.fit->residual)) continue;
@@ -189,16 +206,17 @@ class PairSearch {
   }
 
   // The second beside the first. A stem that was found without the load is another one,
-  // so beside a load that explains something it is looked for, too; and a recorded load
-  // that was found without the integrator is not the one that it holds.
+  // so beside a load that explains something it is looked for, too; and a recorded load,
+  // which moves with u often enough to have bent what was found without it, is not the
+  // one that an integrator holds.
   std::optional<Fit> together(const Trial& one, const Trial& other) const {
     auto fit = fitter_.extend(*one.fit, *other.effect, Effort::kScreen);
-    const bool hides =
-        other.effect->description().is_load() && other.fit->error < hides_below_;
-    const bool is_stem_hidden = hides && one.effect->description().sticks;
+    const Description& of = other.effect->description();
+    const bool hides = of.is_load() && other.fit->error < hides_below_;
+    const bool is_hidden = hides && (of.recorded || one.effect->description().sticks);
     const bool is_load_stored = one.effect->description().recorded &&
                                 other.effect == &effects::process_integrating();
-    if (!is_stem_hidden && !is_load_stored) return fit;
+    if (!is_hidden && !is_load_stored) return fit;
     auto beside = fitter_.extend(*other.fit, *one.effect, Effort::kScreen);
     const bool better = beside && (!fit || beside->error < fit->error);
     return better ? std::move(beside) : std::move(fit);
@@ -298,7 +316,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
   closest = pairs;
   std::erase_if(pairs, [&](Trial& pair) {
     examine(fitter, base, pair);
-    if (is_slow_load(pair.effect) && is_slow_load(pair.partner)) {
+    if (is_slow_load(*pair.effect) && is_slow_load(*pair.partner)) {
       pair.test.p_value = std::max(pair.test.p_value, two_loads_by_chance(fitter, pair));
     }
     pair.visible = u_is_seen(fitter, *pair.fit);

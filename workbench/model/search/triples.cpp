@@ -28,6 +28,11 @@ double error_of(const Try& one) {
   return one.fit ? one.fit->error : 0;
 }
 
+// A step up and one down show how each of them is answered: two shapes.
+bool moves_for_three(const Situation& s) {
+  return count_moves(s.u, s.u_span() / 8) > 2;
+}
+
 // One load that follows slow noise is enough.
 bool is_second_load(const Trial& pair, const Effect& third) {
   const auto is_load = [](const Effect* effect) {
@@ -128,7 +133,7 @@ std::vector<Trial> triples_of(const Fitter& fitter, const Fit& base,
     return a.fit->error < b.fit->error;
   });
   if (pairs.empty() || !(pairs[0].fit->error < kMostLeft * base.error) ||
-      is_noise(pairs[0].fit->residual)) {
+      is_noise(pairs[0].fit->residual) || !moves_for_three(fitter.situation(base))) {
     return {};
   }
   std::vector<Try> tries = tries_of(fitter, trials, pairs);

@@ -52,8 +52,8 @@ std::vector<std::string> cautions(const Model& model, double fit_percent,
                                 [](const Parameter& p) { return p.name == "first_lag"; });
   if (lag == model.process.end() || lag->value < kAtBound * lag->bound_high) return {};
   return {filled(
-      "The first lag is as long as the recording, and the process may be slower still "
-      "or never settle: try {0}.",
+      "The first lag is as long as the recording: the process may be slower still, or "
+      "never settle ({0}).",
       {"process.integrating"})};
 }
 

@@ -128,7 +128,7 @@ export default {
   'bend at 5/6 of the range': 'Biegung bei 5/6 des Bereichs',
   'The residual still follows u, beyond chance: no bar alone reaches the dashed lines, but all of them together do not come by chance.': 'Das Residuum folgt noch u, mehr als zufällig: Kein Balken allein reicht bis zu den gestrichelten Linien, aber alle zusammen sind kein Zufall.',
   'The first of two storages is full where u stays above {0}: of what comes on top, {1} % spills into the second at once.': 'Der erste von zwei Speichern ist voll, wo u über {0} bleibt: Von dem, was darüber kommt, laufen {1} % sofort in den zweiten.',
-  'The first lag is as long as the recording, and the process may be slower still or never settle: try {0}.': 'Die erste Verzögerung ist so lang wie die Aufzeichnung; der Prozess mag noch langsamer sein oder sich nie beruhigen: Zu versuchen ist {0}.',
+  'The first lag is as long as the recording: the process may be slower still, or never settle ({0}).': 'Die erste Verzögerung ist so lang wie die Aufzeichnung: Der Prozess mag noch langsamer sein oder sich nie beruhigen ({0}).',
   'a curve that is dead at the seat': 'einer Kurve, die am Sitz tot ist',
   'an S-shaped curve': 'einer S-förmigen Kurve',
   'an equal-percentage curve': 'einer gleichprozentigen Kurve',
