@@ -236,6 +236,21 @@ TEST(RecordedEffects, RepeatsThatTheReaderMadeAreNoSensorThatSticks) {
   EXPECT_EQ(first_candidate(recording).effect, "record.compression");
 }
 
+// A loop that reads when it can: each value is fresh, and small moves are among them.
+TEST(RecordedEffects, RowsThatWereNotReadAreNotCompressed) {
+  Recording recording = test::simulated(usual());
+  std::mt19937_64 random(5);
+  std::size_t filled = 0;
+  for (std::size_t k = 1; k < recording.size(); ++k) {
+    if (random() % 2 == 0) continue;
+    recording.y[k] = recording.y[k - 1];
+    ++filled;
+  }
+  EXPECT_EQ(first_candidate(recording).effect, "record.compression");
+  recording.resampling.missing = filled;
+  EXPECT_EQ(first_candidate(recording).effect, "");
+}
+
 TEST(RecordedEffects, OneHoldIsNotNamedTwice) {
   const LadderResult result = run_ladder(held_by_hand());
   const auto is_hold = [](const LadderStep& step) {

@@ -1,6 +1,10 @@
 // Whether an effect is told from none, and where its interval ends then.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/fit/fit.hpp"
@@ -56,6 +60,34 @@ TEST(OffProfile, LeavesAnIntervalThatHoldsNoneWithTheError) {
   EXPECT_FALSE(excludes_off(fitter, *fit, intervals, lag));
   end_by_profile(fitter, *fit, lag, intervals);
   EXPECT_EQ(told_of(*fit, lag, intervals).low, before.low);
+}
+
+// (W35) How strong a load is and how slow go together: by sums its gain may be none.
+TEST(OffProfile, TellsTheGainOfARecordedLoadByFactors) {
+  test::SetpointLoop loop;
+  loop.load = [](std::size_t k) {
+    return k < 700 ? 0.0 : 20 * (1 - std::exp(-(static_cast<double>(k) - 700) / 400));
+  };
+  Recording recording = test::simulated(loop);
+  std::vector<double> feed(recording.size());
+  for (std::size_t k = 700; k < feed.size(); ++k) feed[k] = 4;
+  recording.loads = {{"feed", "t/h", feed}};
+  const Fitter fitter(recording, Column::y);
+  const Effect& effect = effects::disturbance_measured("feed");
+  const auto fit = fitter.extend(fitter.start({}), effect, Effort::kThorough);
+  ASSERT_TRUE(fit);
+  const std::size_t gain = static_cast<std::size_t>(
+      std::ranges::find(fit->columns, &effect, &FreeRun::Column::effect) -
+      fit->columns.begin());
+  ASSERT_LT(gain, fit->columns.size());
+  const double value = fit->coefficients[gain];
+  FitIntervals intervals = intervals_of(fitter, *fit);
+  intervals.solved[gain] = {value - 2 * value, value + 2 * value};
+  EXPECT_TRUE(excludes_off(fitter, *fit, intervals, effect));
+  EXPECT_TRUE(end_by_profile(fitter, *fit, effect, intervals));
+  EXPECT_NEAR(intervals.solved[gain].low, value / std::exp(2), 1e-9);
+  EXPECT_NEAR(intervals.solved[gain].high, value * std::exp(2), 1e-9);
+  EXPECT_FALSE(holds_off(*fit, intervals, effect));
 }
 
 // The data may want play that the walk does not tell from none.

@@ -50,30 +50,6 @@ TEST(Choice, TheTwoOfTheBestPairAreToldThatTheyAreOne) {
   }
 }
 
-// A load begun and ended at will leaves less than the valve that the identification
-// found.
-TEST(Choice, TheValveThatIsIdentifiedComesBeforeALoadStepThatNobodyMeasured) {
-  test::SetpointLoop loop;
-  loop.valve = test::backlash(4);
-  loop.load = [](std::size_t k) { return k >= 600 ? 30.0 : 0.0; };
-  const Recording recording = test::simulated(loop);
-  const Fitter fitter(recording, Column::y);
-  const Fit base = fitter.start({});
-  const Effect& play = effects::valve_backlash();
-  const Effect& step = effects::disturbance_step();
-  const auto chosen = [&](bool identified) {
-    std::vector<Trial> trials;
-    for (const Effect* effect : {&play, &step}) {
-      trials.push_back(accepted_trial(
-          *effect, nullptr, fitter.extend(base, *effect, Effort::kThorough).value()));
-    }
-    trials[0].identified = identified;
-    return choose(fitter, trials)->effect;
-  };
-  EXPECT_EQ(chosen(false), &step);
-  EXPECT_EQ(chosen(true), &play);
-}
-
 // The recording showed them in the pair: it exercised both.
 TEST(Choice, AMemberOfTheBestPairThatDoesNotShowAloneSaysWithWhat) {
   test::SetpointLoop loop;
