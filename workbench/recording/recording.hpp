@@ -55,10 +55,10 @@ struct SampleRange {
 struct Piece {
   std::size_t first = 0;  ///< samples [first, last)
   std::size_t last = 0;
-  std::string recording;  ///< name of the file
-  double start_s = 0;     ///< time of its first sample in that file, s
-  bool judges = false;    ///< nothing is fitted to it but its own initial state
-  bool at_rest = false;   ///< the process had settled where the first samples hold u
+  std::string recording{};  ///< name of the file
+  double start_s = 0;       ///< time of its first sample in that file, s
+  bool judges = false;      ///< nothing is fitted to it but its own initial state
+  bool at_rest = false;     ///< the process had settled where the first samples hold u
 };
 
 /// What had to be done to get equally spaced samples. Nothing is repaired
@@ -77,9 +77,9 @@ struct ResampleReport {
 
 /// A further measured signal, recorded beside the loop.
 struct Load {
-  std::string name;  ///< as in the file, with the unit where it stands in the name
-  std::string unit;  ///< as in the file; "" if it names none
-  std::vector<double> values;
+  std::string name;    ///< as in the file, with the unit where it stands in the name
+  std::string unit{};  ///< as in the file; "" if it names none
+  std::vector<double> values{};
 };
 
 /// How samples are shared out between those that are fitted and those that only judge

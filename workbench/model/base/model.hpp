@@ -18,8 +18,8 @@ namespace workbench {
 
 /// One number of a model. Plain values.
 struct Parameter {
-  std::string name;  ///< as in the JSON, with its unit in words: "first_lag"
-  std::string unit;  ///< "s", "u", "y", "y/u", "1"
+  std::string name;    ///< as in the JSON, with its unit in words: "first_lag"
+  std::string unit{};  ///< "s", "u", "y", "y/u", "1"
   double value = 0;
   double low = 0;  ///< 95 % interval of the fit
   double high = 0;
@@ -31,7 +31,7 @@ struct Parameter {
 /// One physical effect of a model, by its code in the catalogue (effects/catalogue.hpp).
 struct EffectTerm {
   std::string effect;  ///< "valve.stiction"
-  std::vector<Parameter> parameters;
+  std::vector<Parameter> parameters{};
   bool phenomenological = false;  ///< helps only at the edge of its physical bounds
   bool untold = false;            ///< its intervals reach to where it would be absent
 };

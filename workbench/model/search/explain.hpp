@@ -48,8 +48,8 @@ enum class CandidateStatus {
 
 /// What one effect (or one pair) would do for the model. Errors in units of the output.
 struct Candidate {
-  std::string effect;             ///< code
-  std::vector<std::string> with;  ///< the partner, when only the pair helps
+  std::string effect;               ///< code
+  std::vector<std::string> with{};  ///< the partner, when only the pair helps
   CandidateStatus status = CandidateStatus::kRejected;
   double rmse_before = 0;  ///< all samples
   double rmse_after = 0;
@@ -57,11 +57,12 @@ struct Candidate {
   double rmse_validation_after = 0;    ///< equals before where nothing was fitted
   double error_reduction_percent = 0;  ///< of the squared validation error
   double p_value = 1;                  ///< before the correction for many candidates
-  std::vector<std::string> indistinguishable_from;
-  std::optional<std::string> would_split;  ///< the measurement that would tell them apart
-  std::string evidence;                    ///< one sentence
-  std::vector<Parameter> parameters;       ///< empty where nothing was fitted
-  std::vector<EffectTerm> partners;        ///< those of `with`, of the one named
+  std::vector<std::string> indistinguishable_from{};
+  std::optional<std::string>
+      would_split{};                    ///< the measurement that would tell them apart
+  std::string evidence{};               ///< one sentence
+  std::vector<Parameter> parameters{};  ///< empty where nothing was fitted
+  std::vector<EffectTerm> partners{};   ///< those of `with`, of the one named
   bool phenomenological = false;
 };
 
