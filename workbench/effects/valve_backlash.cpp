@@ -53,7 +53,8 @@ class Backlash final : public Effect {
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
     return filled(
-        "At every reversal {0} of the travel of u is lost, and no jump follows.",
+        "At every reversal {0} of the travel of u is lost, and no jump is needed behind "
+        "it.",
         {number(p[0], 3)});
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {

@@ -71,7 +71,7 @@ constexpr auto kLines = std::to_array<PartLine>({
      "输出 输出值 控制输出 控制量 操作值 调节输出 阀位输出 阀门输出 控制器输出 輸出 輸出值"sv},
     {Part::kU, "출력 출력값 제어출력 조작량 조작값"sv},
     {Part::kU, "controleffort esforco esforcodecontrole acaodecontrole"sv},
-    {Part::kU, "esfuerzodecontrol acciondecontrol pwm pwmvalue dutycycle"sv},
+    {Part::kU, "esfuerzodecontrol acciondecontrol"sv},
     {Part::kU, "con activeout activeoutput workingoutput wrkop outp"sv},
     {Part::kMv, "mv manipulatedvariable manipulatedvalue"sv},
     {Part::kY, "y pv meas istwert processvalue processvariable processoutput"sv},

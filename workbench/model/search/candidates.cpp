@@ -340,7 +340,9 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
     }
   }
   leave_doubtful_open(fitter, out.base, told, trials);
-  const Trial* best = choose(fitter, trials);
+  Trial* const best = choose(fitter, trials);
+  if (!last && best != nullptr)
+    VerdictOnStems(fitter, identified).name_slip(trials, *best);
   report(fitter, trials, best, !last, seen, blind, out);
   return out;
 }

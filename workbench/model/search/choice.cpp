@@ -207,15 +207,6 @@ bool is_in_group(const Fitter& fitter, const Trial& best, const Trial& trial) {
          trial.score < best.score + kTooRich && same_as(fitter, best, trial);
 }
 
-void name_beside(Trial& other, Trial& best) {
-  const std::string_view code = other.effect->code();
-  std::vector<std::string>& group = best.candidate.indistinguishable_from;
-  if (std::find(group.begin(), group.end(), code) != group.end()) return;
-  group.emplace_back(code);
-  best.candidate.would_split = std::string(other.effect->description().split);
-  name_back(other.candidate, *best.effect);
-}
-
 // Seen running free, not one sample ahead: not accepted, but not told from it either.
 void name_unseen_ahead(const Fitter& fitter, std::vector<Trial>& trials,
                        const NoiseColour& colour, Trial& best) {
@@ -325,6 +316,15 @@ Trial* does_nearly_all(std::vector<Trial>& trials, Trial* pair) {
 }
 
 }  // namespace
+
+void name_beside(Trial& other, Trial& best) {
+  const std::string_view code = other.effect->code();
+  std::vector<std::string>& group = best.candidate.indistinguishable_from;
+  if (std::find(group.begin(), group.end(), code) != group.end()) return;
+  group.emplace_back(code);
+  best.candidate.would_split = std::string(other.effect->description().split);
+  name_back(other.candidate, *best.effect);
+}
 
 void name_back(Candidate& other, const Effect& named) {
   if (other.status == CandidateStatus::kRejected) {

@@ -13,6 +13,9 @@ namespace workbench {
 /// and scores of `trials` are brought up to date.
 [[nodiscard]] Trial* choose(const Fitter& fitter, std::vector<Trial>& trials);
 
+/// `best` lists the effect of `other` as what it may be, and is listed in turn.
+void name_beside(Trial& other, Trial& best);
+
 /// `other` is listed as what `named` may be: it lists `named` in turn and is not
 /// rejected.
 void name_back(Candidate& other, const Effect& named);

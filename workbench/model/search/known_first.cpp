@@ -42,8 +42,9 @@ bool is_slow_load(const Effect& effect) {
 
 bool has_unknown_cause(const std::vector<const Effect*>& effects) {
   return !has_recorded_load(effects) &&
-         std::ranges::any_of(effects,
-                             [](const Effect* effect) { return is_slow_load(*effect); });
+         std::ranges::any_of(effects, [](const Effect* effect) {
+           return effect->description().is_unmeasured_load();
+         });
 }
 
 Trial* known_first(const Fitter& fitter, std::vector<Trial>& trials, Trial* best) {

@@ -20,7 +20,7 @@ namespace workbench {
 /// True of a ramp or a step of a load that nobody measured, which come when they like.
 [[nodiscard]] bool is_slow_load(const Effect& effect);
 
-/// True where `effects` hold such a load, and none that was recorded.
+/// True where `effects` hold a load that nobody measured, and none that was recorded.
 [[nodiscard]] bool has_unknown_cause(const std::vector<const Effect*>& effects);
 
 }  // namespace workbench

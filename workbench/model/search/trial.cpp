@@ -9,6 +9,7 @@
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/off_profile.hpp"
+#include "workbench/model/judge/unearned_form.hpp"
 #include "workbench/model/judge/untold_instant.hpp"
 #include "workbench/model/search/left_to_controller.hpp"
 #include "workbench/recording/filled.hpp"
@@ -73,7 +74,7 @@ bool wants_more(const DifferenceTest& ahead) {
 }
 
 void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
-  const Fit& fit = *trial.fit;
+  const Fit& fit = trial.fit.emplace(without_unearned_forms(fitter, *trial.fit));
   const Blocks blocks = fitter.judging(fit, members_of(trial));
   trial.test = test_difference(base.residual, fit.residual, blocks);
   trial.ratio =
@@ -100,11 +101,11 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   trial.excitation = trial.effect->excitation(here, p);
   for (const Effect* member : members_of(trial)) {
     const Excitation seen = member->excitation(here, fit.searched_of(*member));
-    const bool idle_load =
-        member->description().is_load() && !is_excited(*member, seen, 1);
-    if (idle_load || !seen.acted) {
-      trial.excitation = seen;
-    }
+    const bool idle =
+        has_load({member})
+            ? !is_excited(*member, seen, 1)
+            : member == trial.partner && !is_excited(*member, seen, trial.test.p_value);
+    if (idle || !seen.acted) trial.excitation = seen;
   }
   trial.objection = objection_to(trial, here);
   trial.edge = at_edge(fit, *trial.effect);
@@ -229,6 +230,12 @@ const char* chance_of(double share) {
              : "It does not lower the error on samples that were not fitted.";
 }
 
+// A limit that takes much away was passed, however seldom.
+double most_doubt(const Trial& trial, double share) {
+  if (share < kMuch) return kDoubt;
+  return trial.effect->description().limits ? 1 : kMuchDoubt;
+}
+
 // Of a trial that the recording cannot show, or whose gain may be chance.
 void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
   Candidate& c = trial.candidate;
@@ -258,7 +265,7 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
         "It would not show: it takes {2} {1}, and the recording has {0}.",
         {std::to_string(trial.excitation.events), std::string(trial.excitation.what),
          std::to_string(trial.excitation.least)});
-  } else if (share > 0 && trial.p_family <= (share >= kMuch ? kMuchDoubt : kDoubt)) {
+  } else if (share > 0 && trial.p_family <= most_doubt(trial, share)) {
     c.status = CandidateStatus::kUndecided;
     c.evidence = filled(doubt_in_gain(trial), {percent(share)});
   } else if (trial.effect->description().limits) {

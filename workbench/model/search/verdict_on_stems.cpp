@@ -9,6 +9,7 @@
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/off_profile.hpp"
+#include "workbench/model/search/choice.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -107,6 +108,11 @@ const char* objection_to(double band, const Identification& found) {
   return nullptr;
 }
 
+bool slips(const Identification& found) {
+  return found.verdict == ident::Verdict::kStiction &&
+         (found.slip_jump.ascending.low > 0 || found.slip_jump.descending.low > 0);
+}
+
 }  // namespace
 
 std::optional<double> VerdictOnStems::excluded_from() const {
@@ -181,6 +187,20 @@ void VerdictOnStems::mark(std::vector<Trial>& trials) const {
     const Identification& found = identified_->result(fitter_->work());
     trial.identified = is_fault(found.verdict) &&
                        is_as_wide(stick_band_of(*trial.fit, *trial.effect), found);
+  }
+}
+
+void VerdictOnStems::name_slip(std::vector<Trial>& trials, Trial& best) const {
+  const Effect* const play = stem_of(best);
+  if (play == nullptr || play->description().sticks || fitter_->output() != Column::y) {
+    return;
+  }
+  const Identification& found = identified_->result(fitter_->work());
+  if (!slips(found) || !is_as_wide(stick_band_of(*best.fit, *play), found)) return;
+  for (Trial& trial : trials) {
+    if (trial.partner == nullptr && trial.effect->description().sticks) {
+      name_beside(trial, best);
+    }
   }
 }
 

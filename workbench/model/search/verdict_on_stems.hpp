@@ -41,6 +41,10 @@ class VerdictOnStems {
   /// fault of that stick band, within a factor of two, and one of `trials` is a load that
   /// steps and nobody measured.
   void mark(std::vector<Trial>& trials) const;
+  /// Lists stiction beside a `best` with play where the identification finds a slip jump
+  /// that is not 0, of a stem as wide: running free one slip that is missed leads a stem
+  /// astray for long, so that one that does not slip may leave less.
+  void name_slip(std::vector<Trial>& trials, Trial& best) const;
 
  private:
   [[nodiscard]] Identification less_loads(const Fit& fit) const;

@@ -62,12 +62,13 @@ TEST(KnownFirst, ARecordedLoadThatLeavesHardlyMoreBeforeOneThatNobodyMeasured) {
   EXPECT_EQ(told_beside(300), &effects::disturbance_step()) << "it leaves far more";
 }
 
-TEST(KnownFirst, OnlyStepsAndRampsThatNobodyMeasuredHaveAnUnknownCause) {
+TEST(KnownFirst, LoadsThatNobodyMeasuredHaveAnUnknownCause) {
   const Effect& feed = effects::disturbance_measured("feed");
   EXPECT_TRUE(
       has_unknown_cause({&effects::process_second_lag(), &effects::disturbance_ramp()}));
   EXPECT_FALSE(has_unknown_cause({&effects::disturbance_step(), &feed}));
   EXPECT_FALSE(has_unknown_cause({&effects::valve_backlash()}));
+  EXPECT_TRUE(has_unknown_cause({&effects::disturbance_sinusoid()}));
   EXPECT_FALSE(is_slow_load(effects::disturbance_sinusoid()));
 }
 
