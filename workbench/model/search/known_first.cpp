@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "workbench/effects/effects.hpp"
+
 namespace workbench {
 namespace {
 
@@ -34,6 +36,10 @@ bool leaves_as_little(const Fitter& fitter, const Trial& trial, const Trial& bes
 }
 
 }  // namespace
+
+bool is_lone_load_step(const Trial& trial) {
+  return trial.partner == nullptr && trial.effect == &effects::disturbance_step();
+}
 
 bool is_slow_load(const Effect& effect) {
   const Description& of = effect.description();

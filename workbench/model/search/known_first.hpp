@@ -17,6 +17,9 @@ namespace workbench {
 [[nodiscard]] Trial* known_first(const Fitter& fitter, std::vector<Trial>& trials,
                                  Trial* best);
 
+/// True for a load that steps and nobody measured, by itself.
+[[nodiscard]] bool is_lone_load_step(const Trial& trial);
+
 /// True of a ramp or a step of a load that nobody measured, which come when they like.
 [[nodiscard]] bool is_slow_load(const Effect& effect);
 

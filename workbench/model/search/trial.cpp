@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "workbench/effects/common.hpp"
-#include "workbench/effects/effects.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
@@ -101,11 +100,11 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
   trial.excitation = trial.effect->excitation(here, p);
   for (const Effect* member : members_of(trial)) {
     const Excitation seen = member->excitation(here, fit.searched_of(*member));
-    const bool idle =
-        has_load({member})
-            ? !is_excited(*member, seen, 1)
-            : member == trial.partner && !is_excited(*member, seen, trial.test.p_value);
-    if (idle || !seen.acted) trial.excitation = seen;
+    const bool load = member->description().is_load();
+    const bool asked = load || member != trial.effect;
+    const bool scarce =
+        asked && !is_excited(*member, seen, load ? 1 : trial.test.p_value);
+    if (scarce || !seen.acted) trial.excitation = seen;
   }
   trial.objection = objection_to(trial, here);
   trial.edge = at_edge(fit, *trial.effect);
@@ -113,10 +112,6 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
     trial.own = true;
     trial.test.p_value = *p_value;
   }
-}
-
-bool is_lone_load_step(const Trial& trial) {
-  return trial.partner == nullptr && trial.effect == &effects::disturbance_step();
 }
 
 bool is_significant(const Trial& trial) {

@@ -63,9 +63,6 @@ extern const char* const kUntold;  ///< why, of values that may be none
 /// True for what stands between the valve and the output's record.
 [[nodiscard]] bool is_in_process(const Trial& trial);
 
-/// True for a load that steps and nobody measured, by itself.
-[[nodiscard]] bool is_lone_load_step(const Trial& trial);
-
 /// True where chance among all candidates does not do as much.
 [[nodiscard]] bool is_significant(const Trial& trial);
 

@@ -10,6 +10,7 @@
 #include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/off_profile.hpp"
 #include "workbench/model/search/choice.hpp"
+#include "workbench/model/search/known_first.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 

@@ -31,7 +31,7 @@ TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
   EXPECT_TRUE(
-      caution_says(cautions(with_lag(500), 80, false), "try process.integrating"));
+      caution_says(cautions(with_lag(500), 80, false), "never settle (process.integrating)"));
 }
 
 TEST(Cautions, AFactOfTheRecordMayBeBesideThePoint) {
