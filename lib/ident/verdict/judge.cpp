@@ -164,14 +164,16 @@ Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (!is_weighed(e)) {
     return load_may_hide(e) ? Reason::kBandWouldNotShow : Reason::kLinearExplains;
   }
-  if (e.reversals < kFiveCycles) {
+  // What moves u by hand, y cannot have caused: then a few turns tell what they show.
+  const bool few = e.reversals < kFiveCycles;
+  if (few && !(kStemSearch && e.by_hand && e.reversals > 1)) {
     return Reason::kTooFewCycles;
   }
   if (poor && !oscillates) {
     return Reason::kModelTooPoor;
   }
   const Threshold hoped =
-      exact(kStemSearch ? e.ladder.hoped_band : e.ladder.detectable_band);
+      exact(kStemSearch && !few ? e.ladder.hoped_band : e.ladder.detectable_band);
   if (!(hoped > 0) || hoped > kHidden) {
     return Reason::kBandWouldNotShow;
   }
