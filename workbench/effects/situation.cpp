@@ -224,6 +224,25 @@ double line_share(std::span<const double> signal, double period_s, double line_s
   return power > 0 ? 2 * std::norm(sum) / (n * power) : 0;
 }
 
+namespace {
+
+// How far off its place a level of a lattice may be written, in steps: by the last
+// decimal of the file, and a little where it has more decimals.
+double off_place(std::span<const double> levels, double step) {
+  constexpr double kLeast = 0.05;
+  constexpr double kMost = 0.1;
+  constexpr double kWhole = 1e-6;  // of a unit
+  for (double unit = 1; unit > kLeast * step; unit /= 10) {
+    const bool whole = std::ranges::all_of(levels, [unit](double level) {
+      return std::abs(level / unit - std::round(level / unit)) < kWhole;
+    });
+    if (whole) return std::clamp(unit / step, kLeast, kMost);
+  }
+  return kLeast;
+}
+
+}  // namespace
+
 Lattice lattice_of(std::span<const double> signal) {
   std::vector<double> values(signal.begin(), signal.end());
   std::sort(values.begin(), values.end());
@@ -258,9 +277,10 @@ Lattice lattice_of(std::span<const double> signal) {
     step = product / square;
   }
   std::size_t on = 0;
+  const double off = off_place(levels, step);
   for (const double value : values) {
     const double place = (value - levels[levels.size() / 2]) / step;
-    on += std::abs(place - std::round(place)) < 0.1;
+    on += std::abs(place - std::round(place)) < off;
   }
   return {step, static_cast<double>(on) / static_cast<double>(values.size()),
           levels.size()};

@@ -95,6 +95,17 @@ TEST(Situation, SeesALatticeAndItsStep) {
   EXPECT_EQ(lattice_of(sinusoid(1000, 77.123)).step, 0);
 }
 
+// A reading that sticks comes to rest where it breaks loose, a little farther each time.
+TEST(Situation, ReadingsThatStickLieOnNoLattice) {
+  std::vector<double> y;
+  double level = 49.96;
+  for (int step = 0; step < 22; ++step) {
+    for (int k = 0; k < 20; ++k) y.push_back(std::round(100 * level) / 100);
+    level += 2.01 + 0.04 * (step * 7 % 5);
+  }
+  EXPECT_LT(lattice_of(y).share, 0.7);
+}
+
 TEST(Situation, KnowsTheRangesOfTheSignals) {
   const std::vector<double> u = {1, 5, 3};
   const std::vector<double> y = {-1, 0, 2};
