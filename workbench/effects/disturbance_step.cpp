@@ -156,7 +156,9 @@ class Step final : public Effect {
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
-    if (!u_jumps_before(s, p[kTime])) return {};
+    // What comes through the process makes no controller jump.
+    const auto jumps = p[kThroughProcess] < 0.5 ? u_jumps_before : u_jumps_near;
+    if (!jumps(s, p[kTime])) return {};
     if (!passes(p)) {
       // Of more jumps the others tell how the process answers.
       constexpr std::size_t kLone = 2;
@@ -164,7 +166,7 @@ class Step final : public Effect {
                  ? ""
                  : "u jumps where it comes: the process may answer otherwise there";
     }
-    if (!u_jumps_before(s, p[kEnd])) return {};
+    if (!jumps(s, p[kEnd])) return {};
     return "u jumps where it comes and where it goes: the process may answer otherwise "
            "there";
   }
