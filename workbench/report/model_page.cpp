@@ -14,8 +14,8 @@ namespace {
 // What the reader needs first.
 std::string on_the_valve(const ModelReport& report, const ReportData& valve) {
   std::string out = valve_verdict(valve);
-  const std::string both = reconciled(valve.analysis.result().verdict, report.model,
-                                      report.explanation.best());
+  const std::string both =
+      reconciled(valve.analysis.result(), report.model, report.explanation.best());
   if (!both.empty()) out += "<p>" + both + "</p>\n";
   return out + valve_tiles(valve) +
          section("The valve", "", side_by_side(path_figure(valve), loop_figure(valve)));

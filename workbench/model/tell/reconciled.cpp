@@ -1,9 +1,16 @@
 #include "workbench/model/tell/reconciled.hpp"
 
+#include <algorithm>
+
 #include "workbench/model/tell/harm.hpp"
+#include "workbench/recording/filled.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 namespace {
+
+using Estimate = ident::Estimate<double>;
+using PerStroke = ident::PerStroke<double>;
 
 bool lacks_in_valve(const Candidate* missing) {
   return missing != nullptr &&
@@ -12,6 +19,41 @@ bool lacks_in_valve(const Candidate* missing) {
 
 bool gains_from(const Model& model, std::string_view effect) {
   return model.has(effect) && harm_of(model, effect) == nullptr;
+}
+
+const Parameter* find(const std::vector<Parameter>& parameters, std::string_view name) {
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+// Of the stem that the model lacks, or else has; null where neither is.
+const Parameter* band_of(const Model& model, const Candidate* missing,
+                         std::string_view name) {
+  constexpr std::string_view kStem = "valve.stiction";
+  if (missing != nullptr && missing->effect == kStem) {
+    return find(missing->parameters, name);
+  }
+  const auto term = std::ranges::find(model.effects, kStem, &EffectTerm::effect);
+  return term == model.effects.end() ? nullptr : find(term->parameters, name);
+}
+
+// Where no stick band is in the intervals of both.
+std::string bands_apart(const PerStroke& seen, const Model& model,
+                        const Candidate* missing) {
+  const auto apart = [](const Estimate& a, const Parameter* b) {
+    return a.known && b != nullptr && (a.low > b->high || a.high < b->low);
+  };
+  const Parameter* const up = band_of(model, missing, "stick_band_ascending");
+  const Parameter* const down = band_of(model, missing, "stick_band_descending");
+  const bool of_up = apart(seen.ascending, up);
+  if (!of_up && !apart(seen.descending, down)) return {};
+  const Estimate& verdict = of_up ? seen.ascending : seen.descending;
+  const Parameter& fitted = of_up ? *up : *down;
+  return filled(
+      "The verdict puts the stick band at {0} to {1} in u, the model at {2} to {3}: what "
+      "the model still lacks bends one of them. Small steps of u in manual tell.",
+      {number(verdict.low, 3), number(verdict.high, 3), number(fitted.low, 3),
+       number(fitted.high, 3)});
 }
 
 }  // namespace
@@ -71,8 +113,10 @@ std::string reconciled(const ident::Identification<double>& found, const Model& 
                        const Candidate* missing) {
   const bool misleads = found.reason == ident::Reason::kSignalsSwapped ||
                         found.reason == ident::Reason::kSeam;
-  return misleads ? std::string(ident::sentence(found.reason))
-                  : reconciled(found.verdict, model, missing);
+  if (misleads) return std::string(ident::sentence(found.reason));
+  std::string said = reconciled(found.verdict, model, missing);
+  if (!said.empty() || found.verdict != ident::Verdict::kStiction) return said;
+  return bands_apart(found.stick_band, model, missing);
 }
 
 }  // namespace workbench

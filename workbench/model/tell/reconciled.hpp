@@ -23,8 +23,8 @@ namespace workbench {
 [[nodiscard]] std::string reconciled(ident::Verdict verdict, const Model& model,
                                      const Candidate* missing);
 
-/// The same of what was found in the recording, or that it misleads every model of it:
-/// exchanged columns, a seam.
+/// The same of what was found in the recording; that it misleads every model of it,
+/// exchanged columns or a seam; or that both find a stem of another stick band.
 [[nodiscard]] std::string reconciled(const ident::Identification<double>& found,
                                      const Model& model, const Candidate* missing);
 

@@ -53,6 +53,26 @@ TEST_F(Reconciled, SaysHowBothAreMeantWhereTheyDisagree) {
   EXPECT_EQ(said(Verdict::kStiction, {}, "valve.backlash"), all[4]);
 }
 
+TEST_F(Reconciled, SaysWhereBothFindAStemOfAnotherBand) {
+  ident::Identification<double> found;
+  found.verdict = Verdict::kStiction;
+  found.stick_band.ascending = {true, 5, 4.1, 5.6};
+  found.stick_band.descending = {true, 5, 4.1, 5.6};
+  Candidate missing;
+  missing.effect = "valve.stiction";
+  missing.parameters = {{"stick_band_ascending", "u", 3.7, 3.5, 4.2},
+                        {"stick_band_descending", "u", 3.7, 3.5, 4.2}};
+  EXPECT_EQ(reconciled(found, model_, &missing), "");
+  missing.parameters[1].high = 3.9;
+  EXPECT_EQ(
+      reconciled(found, model_, &missing),
+      "The verdict puts the stick band at 4.1 to 5.6 in u, the model at 3.5 to 3.9: "
+      "what the model still lacks bends one of them. Small steps of u in manual "
+      "tell.");
+  model_.effects = {{"valve.stiction", missing.parameters}};
+  EXPECT_NE(reconciled(found, model_, nullptr), "");
+}
+
 TEST_F(Reconciled, KnowsWhereTheModelHasNoneOfTheVerdictsStems) {
   const auto lacks = [this](Verdict verdict, const std::vector<std::string>& effects,
                             const std::string& missing) {
