@@ -49,6 +49,8 @@ constexpr Threshold kCoarse = Threshold(0.2);
 constexpr Threshold kFewLevels = Threshold(0.3);
 // Share of the time at a limit beyond which only a linear valve can be told.
 constexpr Threshold kAtLimit = Threshold(0.25);
+// The same of a step test by hand, whose highest and lowest levels are no limits.
+constexpr Threshold kMostlyAtEnds = Threshold(0.8);
 // Closed-loop evidence, nats, beside kAloneNats and kAgreedNats: that a stem which
 // convinces running free is confirmed one sample ahead.
 constexpr Threshold kConfirmed = Threshold(10);
@@ -249,9 +251,11 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
   // Between limits u is as flat as a stem that sticks.
   const bool linear = healthy && found != Reason::kNotTheValve &&
                       (!kStemSearch || e.ladder.detectable_band > Real(0));
-  // A coarse u rests for a while at its extremes anyway.
+  // A coarse u rests for a while at its extremes anyway, and in a step test by hand at
+  // all of its levels.
   const Real rest = loop.limit_share - Real(2) * loop.u_step;
-  if (exact(rest) > kAtLimit && !linear) {
+  const bool among_levels = e.by_hand && exact(loop.limit_share) < kMostlyAtEnds;
+  if (exact(rest) > kAtLimit && !linear && !among_levels) {
     return Reason::kAtLimit;
   }
   if (verdict != Verdict::kUndecided) {
