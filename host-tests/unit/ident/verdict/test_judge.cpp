@@ -109,6 +109,48 @@ TEST(Judge, ALargeGainInAFewTurnsHasToBeSteady) {
   expect(few(1, 10), Reason::kSticksBothStrokes);
 }
 
+// Found by nothing in four turns of u, which somebody made.
+Evidence<double> following_by_hand() {
+  Evidence<double> e = sticking();
+  e.form = ValveForm::kLinear;
+  e.error_ratio = 1;
+  e.score = e.consistency = e.band_over_swing = e.slip_over_band = 0;
+  e.cycles_better = 0;
+  e.reversals = 4;
+  e.by_hand = true;
+  e.ladder.predicted = 500;
+  e.ladder.nats = -5;
+  e.ladder.detectable_band = 0.2;
+  return e;
+}
+
+TEST(Judge, AFewStepsByHandSayWhatWouldHaveShown) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  Evidence<double> e = following_by_hand();
+  expect(judge(e, false), Reason::kLinearExplains);
+  e.ladder.detectable_band = 0.4;
+  expect(judge(e, false), Reason::kBandWouldNotShow);
+  e.ladder.detectable_band = 0;
+  expect(judge(e, false), Reason::kBandWouldNotShow);
+  e = following_by_hand();
+  e.reversals = 1;
+  expect(judge(e, false), Reason::kTooFewCycles);
+  e = following_by_hand();
+  e.by_hand = false;
+  expect(judge(e, false), Reason::kTooFewCycles);
+}
+
+TEST(Judge, TheEndsOfAStepTestByHandAreNoLimits) {
+  Evidence<double> e = sticking();
+  LoopEvidence<double> loop;
+  loop.limit_share = 0.6;
+  expect(judge(e, loop), Reason::kAtLimit);
+  e.by_hand = true;
+  expect(judge(e, loop), Reason::kSticksBothStrokes);
+  loop.limit_share = 0.81;
+  expect(judge(e, loop), Reason::kAtLimit);
+}
+
 // Of four stretches none can be so steady; but y knows nothing of a test by hand.
 TEST(Judge, AFewStepsByHandAreEnoughForAStemThatForetellsThem) {
   const auto by_hand = [](double nats) {
