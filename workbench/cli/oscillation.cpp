@@ -47,7 +47,12 @@ std::string human_text(const Report& report, const Recording& recording,
     return text + "No oscillation. Regularity " + fixed(report.regularity, 2) +
            "; above 1 it would be one.\n";
   }
-  return text + "It oscillates.\n  Period      " +
+  constexpr int kFew = 3;  // cycles: a single move and its echo make as many
+  const char* const verdict =
+      report.cycles > kFew
+          ? "It oscillates."
+          : "It may oscillate: so few cycles may be a single move; record for longer.";
+  return text + verdict + "\n  Period      " +
          duration(report.period_samples * recording.period_s) + "\n  Amplitude   " +
          number(report.amplitude, 3) + "\n  Regularity  " + fixed(report.regularity, 1) +
          " (above 1 is an oscillation)\n  Cycles      " + std::to_string(report.cycles) +
