@@ -67,6 +67,12 @@ Told told_by(const FitIntervals& intervals, const Fit& fit, const Effect& effect
     const Interval& interval = intervals.solved[i];
     told.excludes = told.excludes || interval.low > 0 || interval.high < 0;
   }
+  // A stem that does not jump is there all the same where its band is not 0.
+  for (const DerivedValue& derived : intervals.derived) {
+    if (derived.effect != &effect) continue;
+    told.any = true;
+    told.excludes = told.excludes || derived.interval.low > 0;
+  }
   return told;
 }
 
