@@ -90,6 +90,23 @@ TEST(OffProfile, TellsTheGainOfARecordedLoadByFactors) {
   EXPECT_FALSE(holds_off(*fit, intervals, effect));
 }
 
+// Its jumps may be 0: then it is play, and not none.
+TEST(OffProfile, AStemWhoseBandIsNotZeroIsTold) {
+  test::SetpointLoop loop;
+  loop.valve = test::slipping();
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& stem = effects::valve_stiction();
+  const auto fit = fitter.extend(fitter.start({}), stem, Effort::kThorough);
+  ASSERT_TRUE(fit);
+  FitIntervals intervals = intervals_of(fitter, *fit);
+  for (Interval& interval : intervals.searched) interval.low = 0;
+  ASSERT_EQ(intervals.derived.size(), 2U);
+  EXPECT_FALSE(holds_off(*fit, intervals, stem));
+  for (DerivedValue& band : intervals.derived) band.interval.low = 0;
+  EXPECT_TRUE(holds_off(*fit, intervals, stem));
+}
+
 // The data may want play that the walk does not tell from none.
 TEST(OffProfile, SaysWhereNoIntervalExcludesNone) {
   const Recording recording = test::simulated({});
