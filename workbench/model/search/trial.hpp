@@ -45,6 +45,8 @@ struct Trial {
 
 /// Leaves a trial undecided, though it lowers the error, and says why.
 void leave_in_doubt(Trial& trial, const std::string& but);
+/// "12.3 %" of a share.
+[[nodiscard]] std::string percent(double share);
 extern const char* const kUntold;  ///< why, of values that may be none
 
 /// One of those that `whole`, of two or more, is made of.

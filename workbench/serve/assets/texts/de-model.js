@@ -68,6 +68,7 @@ export default {
   'Alone it would take away {0} % of the squared error; {1} together explain more.': 'Allein nähme es {0} % des quadratischen Fehlers weg; {1} zusammen erklären mehr.',
   'Alone it would take away {0} % of the squared error, but {1} is seen in the readings themselves; ask again when that is in the model.': 'Allein nähme es {0} % des quadratischen Fehlers weg, aber {1} ist an den Messwerten selbst zu sehen; fragen Sie noch einmal, wenn das im Modell ist.',
   'Alone it would take away {0} % of the squared error, but {1} explains it better; ask again when that is in the model.': 'Allein nähme es {0} % des quadratischen Fehlers weg, aber {1} erklärt ihn besser; fragen Sie noch einmal, wenn das im Modell ist.',
+  '{0} But hardly any of the error is its doing.': '{0} Aber kaum etwas vom Fehler kommt davon.',
   'At every reversal {0} of the travel of u is lost, and no jump is needed behind it.': 'Bei jeder Umkehr geht {0} vom Weg von u verloren, und dahinter braucht es keinen Sprung.',
   'At t = {0} the output shifts by {1} y for good, and u does not cause it.': 'Bei t = {0} verschiebt sich der Ausgang bleibend um {1} y, und u verursacht das nicht.',
   'At t = {0} the output shifts by {1} y for good. u jumps then, too: the process may also answer that move otherwise than the model thinks.': 'Bei t = {0} verschiebt sich der Ausgang bleibend um {1} y. Dann springt auch u: Vielleicht antwortet der Prozess darauf nur anders, als das Modell denkt.',
