@@ -17,7 +17,7 @@ Trial* least_score(std::vector<Trial*> found) {
   return least == found.end() ? nullptr : *least;
 }
 
-// With a recorded load in place of the others that `best` has, and nothing else.
+// (W36) With a recorded load in place of the others that `best` has, and nothing else.
 bool is_with_recorded(const Trial& trial, const Trial& best) {
   const std::vector<const Effect*> wanted = members_of(best);
   const std::vector<const Effect*> members = members_of(trial);
