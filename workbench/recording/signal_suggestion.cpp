@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "workbench/recording/letters.hpp"
@@ -53,7 +54,7 @@ class Suggester {
   // nothing.
   [[nodiscard]] Indices suggestions(const std::vector<Column>& wanted) const {
     Indices out(wanted.size(), candidates_.size());
-    if (mv_is_open() || input_is_open()) return out;
+    if (mv_is_open() || input_is_open() || output_is_open()) return out;
     take_din_letters(wanted, out);
     take_positioner(wanted, out);
     for (const bool nameless_too : {false, true}) {
@@ -140,6 +141,18 @@ class Suggester {
                          [key](const NamedSignal& c) { return c.name.key == key; });
     };
     return named("input") && named("output") && !has(Part::kY);
+  }
+
+  // An output beside what a controller puts out, and nothing measured: it may be
+  // either's.
+  [[nodiscard]] bool output_is_open() const {
+    if (has(Part::kY)) return false;
+    std::multiset<std::string_view> tags;
+    for (const NamedSignal& c : candidates_) {
+      if (c.name.part == Part::kU) tags.insert(c.name.tag);
+    }
+    return std::ranges::any_of(
+        tags, [&tags](std::string_view tag) { return tags.count(tag) > 1; });
   }
 
   [[nodiscard]] bool has(Part part) const {

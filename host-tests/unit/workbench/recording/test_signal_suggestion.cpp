@@ -116,6 +116,12 @@ TEST(SignalSuggestion, OfAPositionerItsPosition) {
   EXPECT_EQ(proposed({"x", "w"}), (std::vector<std::size_t>{1, 0}));
 }
 
+TEST(SignalSuggestion, AnOutputBesideAControlEffortMayBeThatOfTheProcess) {
+  EXPECT_EQ(suggested_signals(signals({"Saída", "Erro", "Esforço"}),
+                              {false, false, false}, {Column::u, Column::y}),
+            (std::vector<std::size_t>{3, 3}));
+}
+
 TEST(SignalSuggestion, TheLastWordOfAnExtreme) {
   for (const char* name : {"A.PV (Max)", "A.PV|Minimum", "PV_min", "OP [StdDev]"}) {
     EXPECT_TRUE(is_extreme(column_name(name))) << name;
