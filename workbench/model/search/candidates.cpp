@@ -55,10 +55,6 @@ bool is_jumpy(const Trial& trial) {
                      });
 }
 
-bool is_jumpy_load(const Trial& trial) {
-  return trial.effect->description().is_load() && is_jumpy(trial);
-}
-
 // One of every effect that `base` lacks.
 std::vector<Trial> trials_of(const Fit& base, const Catalogue& catalogue, bool blind) {
   std::vector<Trial> trials;
@@ -203,15 +199,11 @@ void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& ba
   }
 }
 
-// (W8) A load whose instant has many small valleys is told from none by the walk over all
-// parameters: beside a fixed instant its strength looks surer than it is.
-// Of several together each has to be told, as it is in a model of them.
+// (W8) What has many small valleys, as the instant of a load, is told from none by the
+// walk over all parameters: beside one that is fixed the others look surer than they are.
+// Each of several together has to be told, as it is in a model of them.
 void leave_untold_values_open(const Fitter& fitter, std::vector<Trial>& trials) {
   const auto is_told = [&](const Trial& trial) {
-    if (trial.partner == nullptr) {
-      return excludes_off(fitter, *trial.fit, thorough_intervals_of(fitter, *trial.fit),
-                          *trial.effect);
-    }
     const FitIntervals intervals = told_intervals_of(fitter, *trial.fit);
     return std::ranges::none_of(members_of(trial), [&](const Effect* member) {
       return holds_off(*trial.fit, intervals, *member);
@@ -220,8 +212,7 @@ void leave_untold_values_open(const Fitter& fitter, std::vector<Trial>& trials) 
   const Work::WritingDown writing(fitter.work());
   fitter.work().for_each(trials.size(), [&](std::size_t i) {
     Trial& trial = trials[i];
-    if (!accepted(trial) || !(trial.partner != nullptr || is_jumpy_load(trial))) return;
-    if (is_told(trial)) return;
+    if (!accepted(trial) || trial.own || is_told(trial)) return;
     leave_in_doubt(trial, kUntold);
   });
 }
