@@ -95,6 +95,18 @@ TEST(Situation, SeesALatticeAndItsStep) {
   EXPECT_EQ(lattice_of(sinusoid(1000, 77.123)).step, 0);
 }
 
+TEST(Situation, SaysWhenByTheClockOfTheFileUnlessThatCountsFrom1970) {
+  const std::vector<double> values(100);
+  Situation s = situation_of(values, values, 0.5);
+  EXPECT_EQ(s.when(12), "12 s");
+  std::vector<Piece> pieces = {
+      {.first = 0, .last = 100, .recording = "a", .start_s = 60}};
+  s.pieces = pieces;
+  EXPECT_EQ(s.when(12), "72 s");
+  pieces[0].start_s = 1761513409.5;
+  EXPECT_EQ(s.when(12), "12 s after the first sample");
+}
+
 // A reading that sticks breaks loose where its band is passed, and lies a little beyond.
 TEST(Situation, ReadingsThatStickLieOnNoLattice) {
   std::vector<double> y;

@@ -1,0 +1,53 @@
+// What a load that nobody measured has to be like.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "workbench/effects/effects.hpp"
+
+namespace workbench {
+namespace {
+
+// What is said against a step by `amplitude` at 30 s, at once or through the process,
+// until `end` s or for good, in an output that goes from 0 to 10 in steps of 0.1.
+std::string objection(double amplitude, bool through_process, double end = 0,
+                      double u_jumps_at = 0) {
+  std::vector<double> u(101, 40.0);
+  std::vector<double> y(101);
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    y[k] = 0.1 * static_cast<double>(k);
+    const auto t = static_cast<double>(k);
+    if (u_jumps_at > 0 && t >= u_jumps_at && t < u_jumps_at + 40) u[k] = 60;
+  }
+  u.back() = 41;  // moves once more, a little
+  const Situation s = situation_of(u, y, 1);
+  const std::vector<double> p = {30, through_process ? 1.0 : 0.0, end > 0 ? 1.0 : 0.0,
+                                 end};
+  return effects::disturbance_step().objection(s, p, std::vector<double>{amplitude});
+}
+
+TEST(LoadStep, IsNoLargerThanWhatTheOutputDoes) {
+  EXPECT_EQ(objection(9, true), "");
+  EXPECT_EQ(objection(-11, true),
+            "it would have to be larger than all that the output does");
+}
+
+TEST(LoadStep, ShowsAsAJumpWhereItComesAtOnce) {
+  EXPECT_EQ(objection(0.3, false), "");
+  EXPECT_EQ(objection(0.5, false), "the output makes no such jump");
+  EXPECT_EQ(objection(0.5, true), "");
+}
+
+// A controller that answers a load through the process does not jump.
+TEST(LoadStep, ThroughTheProcessIsDoubtedWhereUJumpsAboutThen) {
+  const char* const otherwise =
+      "u jumps where it comes and where it goes: the process may answer otherwise there";
+  EXPECT_EQ(objection(2, true, 70, 31), otherwise);
+  EXPECT_EQ(objection(2, true, 70, 29), otherwise);
+  EXPECT_EQ(objection(2, true, 70, 50), "");
+  EXPECT_EQ(objection(0.2, false, 70, 29.5), otherwise);
+}
+
+}  // namespace
+}  // namespace workbench
