@@ -53,6 +53,12 @@ void leave_untold(Told told, std::vector<Trial>& trials) {
     if (!accepted(trial)) continue;
     const std::vector<const Effect*> members = members_of(trial);
     if (told == Told::kNothing) {
+      if (std::ranges::count(members, &effects::disturbance_ramp()) > 0) {
+        leave_in_doubt(trial,
+                       "little but the controller moves u here, so that the drift may be "
+                       "what the model makes of u");
+        continue;
+      }
       if (std::ranges::count(members, &effects::disturbance_sinusoid()) == 0) continue;
       leave_in_doubt(
           trial,

@@ -15,7 +15,7 @@ enum class Told {
   kAll,
   kStemsFirst,  ///< a stem, and the rest once that is in the model
   kLoads,       ///< nothing but loads
-  kNothing,     ///< not that either where it swings: the valve may make it swing
+  kNothing,     ///< not that either where it swings or drifts: the valve, or the model
 };
 
 /// (W31) Where little but the controller moves u (controller_law.hpp), what the process

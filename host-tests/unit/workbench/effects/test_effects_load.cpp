@@ -33,12 +33,6 @@ TEST(LoadStep, IsNoLargerThanWhatTheOutputDoes) {
             "it would have to be larger than all that the output does");
 }
 
-TEST(LoadStep, ShowsAsAJumpWhereItComesAtOnce) {
-  EXPECT_EQ(objection(0.3, false), "");
-  EXPECT_EQ(objection(0.5, false), "the output makes no such jump");
-  EXPECT_EQ(objection(0.5, true), "");
-}
-
 // A controller that answers a load through the process does not jump.
 TEST(LoadStep, ThroughTheProcessIsDoubtedWhereUJumpsAboutThen) {
   const char* const otherwise =
