@@ -150,6 +150,7 @@ void Analysis::run(const Progress& progress, int most_windows) {
   if (recordings_ > 1) mind_contradictions();
   if (windows() > 1) note_votes();
   mind_detectable();
+  mind_one_signal();
   take_health(results);
   constexpr double kPoorly = 50;
   const bool open = result_.verdict == ident::Verdict::kUndecided;
@@ -165,6 +166,17 @@ void Analysis::run(const Progress& progress, int most_windows) {
   const std::chrono::duration<double, std::milli> spent =
       std::chrono::steady_clock::now() - begin;
   runtime_ms_ = spent.count();
+}
+
+void Analysis::mind_one_signal() {
+  const Recording& shown = signals_.front();
+  if (is_fault(result_.verdict) || !is_one_signal(shown.u, shown.y)) return;
+  if (result_.verdict == ident::Verdict::kNoStiction) {
+    result_.verdict = ident::Verdict::kUndecided;
+    result_.reason = ident::Reason::kBandWouldNotShow;
+    result_.cause = ident::Cause::kUnknown;
+  }
+  result_.detectable_band = 0;
 }
 
 void Analysis::identify_windows(std::vector<Identification>& results,

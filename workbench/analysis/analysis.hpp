@@ -128,6 +128,7 @@ class Analysis {
   void vote(const std::vector<Identification>& results);
   void note_votes();
   void mind_detectable();
+  void mind_one_signal();
   void judge_together(const std::vector<Identification>& results, float counted);
   void mind_contradictions();
   void take(const RecordingView& recording);

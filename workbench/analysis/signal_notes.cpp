@@ -32,9 +32,10 @@ bool move_together(std::span<const double> u, std::span<const double> y) {
 }
 
 // Rounding apart; a process takes time, and has noise.
-bool is_the_same(std::span<const double> u, std::span<const double> y) {
+bool is_the_same(std::span<const double> u, std::span<const double> y,
+                 std::size_t after) {
   constexpr double kRounding = 1e-4;
-  return u.size() > 2 && left_by_line(u, y, 0) < kRounding;
+  return u.size() > 2 && left_by_line(u, y, after) < kRounding;
 }
 
 std::string limit_note(const OutputLimit& limit) {
@@ -56,7 +57,7 @@ std::vector<std::string> signal_notes(const RecordingView& recording) {
   if (never_moves(recording.y)) {
     notes.push_back("y stays at " + number(recording.y.front()));
   }
-  if (is_the_same(recording.u, recording.y)) {
+  if (is_the_same(recording.u, recording.y, 0)) {
     notes.push_back(
         "y is u on another scale, sample by sample: the same signal twice, or "
         "one computed from the other. Choose the process output as y");
@@ -65,6 +66,10 @@ std::vector<std::string> signal_notes(const RecordingView& recording) {
     notes.push_back(limit_note(limit));
   }
   return notes;
+}
+
+bool is_one_signal(std::span<const double> u, std::span<const double> y) {
+  return is_the_same(u, y, 0) || is_the_same(u, y, 1);
 }
 
 std::string same_sample_note(const RecordingView& recording) {

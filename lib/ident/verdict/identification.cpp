@@ -63,7 +63,7 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "record while the loop oscillates, or small steps of the controller output up and "
      "down with the loop in manual."},
     {Reason::kEvidenceTooWeak,
-     "A sticking valve explains the recording a little better, not enough to be sure: "
+     "Something speaks for a sticking valve, not enough to be sure: "
      "record more cycles, or small steps of the controller output up and down with the"
      " loop in manual."},
     {Reason::kBandBelowResolution,

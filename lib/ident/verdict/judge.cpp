@@ -230,6 +230,16 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
   }
 }
 
+// Whether, of a linear valve, nothing speaks for another one though it would have shown.
+template <class Real>
+bool nothing_would_hide(const Evidence<Real>& e) {
+  const Threshold shown = exact(e.ladder.detectable_band);
+  const Threshold speaks =
+      std::max({confirmation(e), exact(e.ladder.nats), exact(e.searched.nats)});
+  return kStemSearch && is_weighed(e) && e.form == ValveForm::kLinear && shown > 0 &&
+         shown <= kHidden && speaks <= 0;
+}
+
 // What the record itself allows to be said.
 template <class Real>
 Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
@@ -262,7 +272,7 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
     return found;
   }
   if (setpoint_moves(loop)) {
-    return Reason::kSetpointMoves;
+    return nothing_would_hide(e) ? Reason::kLinearExplains : Reason::kSetpointMoves;
   }
   const bool few =
       (found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed) &&
@@ -325,6 +335,13 @@ bool searched_stem_sticks(const Evidence<Real>& e) {
 }
 
 template <class Real>
+bool may_stick_together(const Evidence<Real>& e) {
+  const Threshold band = exact(e.ladder.band);
+  const bool wide = band > kLeavesNoiseOut || has_band(e, e.ladder.band);
+  return moves_output(e) && (!kStemSearch || (wide && band < kWidestBand));
+}
+
+template <class Real>
 Reason judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return qualified(judge_valve(e, loop.oscillates), e, loop);
 }
@@ -379,6 +396,7 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   template bool fitted_valve_sticks<Real>(const Evidence<Real>&);           \
   template bool load_may_hide<Real>(const Evidence<Real>&);                 \
   template bool moves_output<Real>(const Evidence<Real>&);                  \
+  template bool may_stick_together<Real>(const Evidence<Real>&);            \
   template bool few_levels<Real>(const LoopEvidence<Real>&);                \
   template bool searched_stem_sticks<Real>(const Evidence<Real>&);          \
   template bool reach_zero<Real>(const PerStroke<Real>&);                   \

@@ -51,13 +51,11 @@ template <class Real>
 inline constexpr Threshold kWidestBand = Threshold(1.05);
 
 /// Whether the valve of this window may be one of which only several windows together
-/// leave no doubt: it moves the output, and u swings beyond its band, which without a
-/// search of stems is not asked.
+/// leave no doubt: it moves the output, u swings beyond its band, and that is wide enough
+/// to leave no noise out, or that of the valve fitted running free. Without a search of
+/// stems the band is not asked.
 template <class Real>
-[[nodiscard]] bool may_stick_together(const Evidence<Real>& evidence) {
-  return moves_output(evidence) &&
-         (!kStemSearch || exact(evidence.ladder.band) < kWidestBand);
-}
+[[nodiscard]] bool may_stick_together(const Evidence<Real>& evidence);
 
 /// Whether y takes so few levels that the controller hunts between them whatever the
 /// valve does. Not in the small sizes.
