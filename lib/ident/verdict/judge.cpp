@@ -44,9 +44,6 @@ constexpr Threshold kFewestSteps = Threshold(2);
 // enough to be why the data cannot tell.
 constexpr Threshold kHopeless = Threshold(0.5);
 constexpr Threshold kCoarse = Threshold(0.2);
-// Resolution of y over its usual swing above which a controller hunts between its levels
-// whatever the valve does.
-constexpr Threshold kFewLevels = Threshold(0.3);
 // Share of the time at a limit beyond which only a linear valve can be told.
 constexpr Threshold kAtLimit = Threshold(0.25);
 // The same of a step test by hand, whose highest and lowest levels are no limits.
@@ -92,6 +89,13 @@ template <class Real>
 bool has_band(const Evidence<Real>& e, Real band) {
   const Threshold ratio = exact(band / e.band_over_swing);
   return ratio > 1 / kSameBand && ratio < kSameBand;
+}
+
+// Whether a band that foretells y may be the valve's: wide enough to leave no noise out.
+template <class Real>
+bool may_have(const Evidence<Real>& e, Real band) {
+  return exact(band) < kWidestBand &&
+         (exact(band) > kLeavesNoiseOut || has_band(e, band));
 }
 
 // Closed-loop evidence for the valve that was fitted running free.
@@ -197,9 +201,7 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
     const bool suspect = e.form != ValveForm::kLinear && exact(e.score) >= kSuggestive &&
                          exact(e.error_ratio) >= kNegligible &&
                          exact(e.fit_percent) >= kPoorFit;
-    const bool confirmed =
-        is_weighed(e) && std::max({confirmation(e), exact(e.ladder.nats),
-                                   exact(e.searched.nats)}) > Threshold(kNoNats);
+    const bool confirmed = is_weighed(e) && exact(best_nats(e)) > Threshold(kNoNats);
     if (suspect && exact(e.band_over_swing) < kLeastBand) {
       return Reason::kBandDoesNotMatter;
     }
@@ -234,10 +236,8 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
 template <class Real>
 bool nothing_would_hide(const Evidence<Real>& e) {
   const Threshold shown = exact(e.ladder.detectable_band);
-  const Threshold speaks =
-      std::max({confirmation(e), exact(e.ladder.nats), exact(e.searched.nats)});
   return kStemSearch && is_weighed(e) && e.form == ValveForm::kLinear && shown > 0 &&
-         shown <= kHidden && speaks <= 0;
+         shown <= kHidden && exact(best_nats(e)) <= 0;
 }
 
 // What the record itself allows to be said.
@@ -321,34 +321,21 @@ bool moves_output(const Evidence<Real>& e) {
 }
 
 template <class Real>
-bool few_levels(const LoopEvidence<Real>& loop) {
-  return kStemSearch && exact(loop.y_step) > kFewLevels;
-}
-
-template <class Real>
 bool searched_stem_sticks(const Evidence<Real>& e) {
   const SearchedStem<Real>& stem = e.searched;
-  const Threshold band = exact(stem.wider_band());
+  const Real band = stem.wider_band();
   return stem.asked && speaks_alone(e, stem.nats) && stem.strokes >= kFewestStrokes &&
-         e.reversals >= kFiveCycles && band > kLeastBand && band < kWidestBand &&
-         (band > kLeavesNoiseOut || has_band(e, stem.wider_band()));
+         e.reversals >= kFiveCycles && exact(band) > kLeastBand && may_have(e, band);
 }
 
 template <class Real>
 bool may_stick_together(const Evidence<Real>& e) {
-  const Threshold band = exact(e.ladder.band);
-  const bool wide = band > kLeavesNoiseOut || has_band(e, e.ladder.band);
-  return moves_output(e) && (!kStemSearch || (wide && band < kWidestBand));
+  return moves_output(e) && (!kStemSearch || may_have(e, e.ladder.band));
 }
 
 template <class Real>
 Reason judge(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return qualified(judge_valve(e, loop.oscillates), e, loop);
-}
-
-template <class Real>
-bool reach_zero(const PerStroke<Real>& band) {
-  return !(band.ascending.low > Real(0)) && !(band.descending.low > Real(0));
 }
 
 template <class Real>
@@ -397,9 +384,7 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   template bool load_may_hide<Real>(const Evidence<Real>&);                 \
   template bool moves_output<Real>(const Evidence<Real>&);                  \
   template bool may_stick_together<Real>(const Evidence<Real>&);            \
-  template bool few_levels<Real>(const LoopEvidence<Real>&);                \
   template bool searched_stem_sticks<Real>(const Evidence<Real>&);          \
-  template bool reach_zero<Real>(const PerStroke<Real>&);                   \
   template bool searched_stem_is_told<Real>(const Evidence<Real>&,          \
                                             const PerStroke<Real>&);        \
   template bool better_running_free<Real>(const Evidence<Real>&);           \

@@ -60,7 +60,10 @@ template <class Real>
 /// Whether y takes so few levels that the controller hunts between them whatever the
 /// valve does. Not in the small sizes.
 template <class Real>
-[[nodiscard]] bool few_levels(const LoopEvidence<Real>& loop);
+[[nodiscard]] bool few_levels(const LoopEvidence<Real>& loop) {
+  constexpr Threshold kFewLevels = Threshold(0.3);
+  return kStemSearch && exact(loop.y_step) > kFewLevels;
+}
 
 /// What of the nats of a stem is beyond what does a stem's work and does not stick: the
 /// cycle before (E15) and bounded stems (E19).
@@ -73,7 +76,9 @@ template <class Real>
 
 /// Whether the intervals of both stick bands reach 0.
 template <class Real>
-[[nodiscard]] bool reach_zero(const PerStroke<Real>& band);
+[[nodiscard]] bool reach_zero(const PerStroke<Real>& band) {
+  return !(band.ascending.low > Real(0)) && !(band.descending.low > Real(0));
+}
 
 /// Whether the bands of such a stem are to be told instead of `fitted`: it foretells y so
 /// much better than the fitted one, because a load has led the free run to another valve,

@@ -140,6 +140,24 @@ TEST(Judge, AFewStepsByHandSayWhatWouldHaveShown) {
   expect(judge(e, false), Reason::kTooFewCycles);
 }
 
+TEST(Judge, AMovedSetpointSaysWhatWouldHaveShown) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  LoopEvidence<double> loop;
+  loop.setpoint_share = 1;
+  const auto judged_so = [&loop](Evidence<double> e, auto change) {
+    e.by_hand = false;
+    change(e);
+    return judge(e, loop);
+  };
+  const Evidence<double> few = following_by_hand();
+  expect(judged_so(few, [](auto&) {}), Reason::kLinearExplains);
+  expect(judged_so(few, [](auto& e) { e.ladder.detectable_band = 0.36; }),
+         Reason::kSetpointMoves);
+  expect(judged_so(few, [](auto& e) { e.ladder.nats = 0.1; }), Reason::kSetpointMoves);
+  expect(judged_so(few, [](auto& e) { e.form = ValveForm::kSymmetric; }),
+         Reason::kSetpointMoves);
+}
+
 TEST(Judge, TheEndsOfAStepTestByHandAreNoLimits) {
   Evidence<double> e = sticking();
   LoopEvidence<double> loop;

@@ -53,6 +53,22 @@ TEST(SignalNotes, SayThatUIsDrivenIntoItsLimit) {
   EXPECT_EQ(signal_notes(recording).size(), 1U);
 }
 
+TEST(SignalNotes, KnowOneSignalOnTwoScales) {
+  std::vector<double> y;
+  for (int k = 0; k < 400; ++k) y.push_back(50 + k * 37 % 101 % 13);
+  std::vector<double> u;
+  for (const double value : y) u.push_back(70 - 0.8 * value);
+  EXPECT_TRUE(is_one_signal(u, y));
+  // What the controller read was stored one sample late.
+  std::vector<double> late = y;
+  late.insert(late.begin(), y.front());
+  late.pop_back();
+  EXPECT_TRUE(is_one_signal(u, late));
+  EXPECT_FALSE(is_one_signal(late, u)) << "the other way round it is a process";
+  u[200] += 5;
+  EXPECT_FALSE(is_one_signal(u, y));
+}
+
 TEST(SignalNotes, SayThatTheSignalsMoveInTheSameSample) {
   Recording recording;
   recording.period_s = 1;
