@@ -39,8 +39,8 @@ struct Held {
 [[nodiscard]] Held held_in(std::span<const double> reading, double same);
 
 /// True where hardly any reading comes more than `most` times, two or so: y is refreshed
-/// nearly as often as it is recorded, and a sensor that sticks holds longer where y turns.
-/// O(n).
+/// nearly as often as it is recorded, and a sensor that sticks holds longer where y
+/// turns. O(n).
 [[nodiscard]] bool is_scanned_slowly(std::span<const double> reading, double same,
                                      std::size_t most);
 

@@ -30,8 +30,8 @@ TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
 }
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
-  EXPECT_TRUE(
-      caution_says(cautions(with_lag(500), 80, false), "never settle (process.integrating)"));
+  EXPECT_TRUE(caution_says(cautions(with_lag(500), 80, false),
+                           "never settle (process.integrating)"));
 }
 
 TEST(Cautions, AFactOfTheRecordMayBeBesideThePoint) {
