@@ -66,19 +66,15 @@ std::string Situation::when(double seconds, int digits) const {
     if (seconds > (static_cast<double>(piece.first) - 0.5) * period_s) at = &piece;
   }
   const double since = seconds - static_cast<double>(at->first) * period_s;
-  // A clock that counts from 1970 is for machines.
-  constexpr double kClock = 1e8;  // s
+  constexpr double kClock = 1e8;  // s; from 1970 on: nobody reads an instant off it
+  const bool alone = pieces.front().recording == pieces.back().recording;
   if (at->start_s > kClock) {
-    const std::string text =
-        filled("{0} s after the first sample", {number(since, digits)});
-    return pieces.front().recording == pieces.back().recording
-               ? text
-               : filled("{0} of {1}", {text, at->recording});
+    return filled(
+        alone ? "{0} s after the first sample" : "{0} s after the first sample of {1}",
+        {number(since, digits), at->recording});
   }
   const std::string time = instant(at->start_s + since, period_s, digits);
-  return pieces.front().recording == pieces.back().recording
-             ? time + " s"
-             : filled("{0} s of {1}", {time, at->recording});
+  return alone ? time + " s" : filled("{0} s of {1}", {time, at->recording});
 }
 
 Situation situation_of(std::span<const double> u, std::span<const double> y,

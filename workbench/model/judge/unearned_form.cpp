@@ -3,11 +3,13 @@
 #include <utility>
 #include <vector>
 
+#include "workbench/model/base/work.hpp"
 #include "workbench/model/judge/merit.hpp"
 
 namespace workbench {
 
 Fit without_unearned_forms(const Fitter& fitter, Fit fit) {
+  const Work::WritingDown whatever_it_takes(fitter.work());
   for (std::size_t i = 0; i < fit.slots.size(); ++i) {
     const FreeRun::Slot& slot = fit.slots[i];
     const bool is_form = slot.effect != nullptr &&

@@ -180,6 +180,16 @@ int rank(const Candidate& c) {
   return 4;
 }
 
+// Where there is time to ask.
+void name_slip(const Fitter& fitter, Identified& identified, std::vector<Trial>& trials,
+               Trial& best) {
+  try {
+    VerdictOnStems(fitter, identified).name_slip(trials, best);
+  } catch (const OutOfTime&) {  // it is listed alone
+    return;
+  }
+}
+
 // What a trial found on the way may serve the smaller model as well; not what fits a
 // little better and, for a stem that slips elsewhere, loses step where nothing was
 // fitted.
@@ -335,8 +345,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   }
   leave_doubtful_open(fitter, out.base, told, trials);
   Trial* const best = choose(fitter, trials);
-  if (!last && best != nullptr)
-    VerdictOnStems(fitter, identified).name_slip(trials, *best);
+  if (!last && best != nullptr) name_slip(fitter, identified, trials, *best);
   report(fitter, trials, best, !last, seen, blind, out);
   return out;
 }

@@ -70,7 +70,7 @@ export default {
   'Alone it would take away {0} % of the squared error, but {1} explains it better; ask again when that is in the model.': 'Allein nähme es {0} % des quadratischen Fehlers weg, aber {1} erklärt ihn besser; fragen Sie noch einmal, wenn das im Modell ist.',
   '{0} But hardly any of the error is its doing.': '{0} Aber kaum etwas vom Fehler kommt davon.',
   '{0} s after the first sample': '{0} s nach dem ersten Wert',
-  '{0} of {1}': '{0} von {1}',
+  '{0} s after the first sample of {1}': '{0} s nach dem ersten Wert von {1}',
   'little but the controller moves u here, so that the drift may be what the model makes of u': 'hier bewegt fast nur der Regler u, so dass die Drift das sein kann, was das Modell aus u macht',
   'it would have to be larger than all that the output does': 'sie müsste größer sein als alles, was der Ausgang tut',
   'At every reversal {0} of the travel of u is lost, and no jump is needed behind it.': 'Bei jeder Umkehr geht {0} vom Weg von u verloren, und dahinter braucht es keinen Sprung.',
