@@ -43,7 +43,9 @@ bool has_known_shape(const Effect& effect) {
 
 // (W35) About a value that is not zero, as wide by factors as `interval` is by sums.
 Interval by_factors(double value, const Interval& interval) {
-  const double factor = std::exp((interval.high - interval.low) / (2 * std::abs(value)));
+  constexpr double kMost = 1e6;  // of one frequency the gain alone tells nothing
+  const double factor =
+      std::min(std::exp((interval.high - interval.low) / (2 * std::abs(value))), kMost);
   return {std::min(value / factor, value * factor),
           std::max(value / factor, value * factor)};
 }

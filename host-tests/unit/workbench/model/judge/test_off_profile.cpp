@@ -88,6 +88,10 @@ TEST(OffProfile, TellsTheGainOfARecordedLoadByFactors) {
   EXPECT_NEAR(intervals.solved[gain].low, value / std::exp(2), 1e-9);
   EXPECT_NEAR(intervals.solved[gain].high, value * std::exp(2), 1e-9);
   EXPECT_FALSE(holds_off(*fit, intervals, effect));
+  intervals.solved[gain] = {value - 1e5 * value, value + 1e5 * value};
+  EXPECT_TRUE(end_by_profile(fitter, *fit, effect, intervals));
+  EXPECT_NEAR(intervals.solved[gain].high, 1e6 * value, 1e-6 * value);
+  EXPECT_FALSE(holds_off(*fit, intervals, effect));
 }
 
 // Its jumps may be 0: then it is play, and not none.
