@@ -17,10 +17,12 @@ ident::Verdict majority_of(const Votes& votes) {
   const double faulty = sticking + playing;
   const double healthy = count(ident::Verdict::kNoStiction);
   const double all = std::accumulate(votes.begin(), votes.end(), 0.0);
-  if (faulty == healthy || 4 * std::max(faulty, healthy) < all) {
-    return ident::Verdict::kUndecided;
-  }
-  return healthy > faulty     ? ident::Verdict::kNoStiction
+  constexpr double kFault = 0.25;  // of the time
+  constexpr double kAbsence = 0.5;
+  const bool found = faulty > healthy && faulty >= kFault * all;
+  const bool absent = healthy > faulty && healthy >= kAbsence * all;
+  if (!found && !absent) return ident::Verdict::kUndecided;
+  return absent               ? ident::Verdict::kNoStiction
          : playing > sticking ? ident::Verdict::kBacklash
                               : ident::Verdict::kStiction;
 }

@@ -16,8 +16,8 @@ using Votes = std::array<double, 5>;
 using VoteCounts = std::array<int, 5>;
 
 /// Windows that cannot tell abstain. A fault (stiction or backlash) or its absence stands
-/// if more of the time says so than the opposite, and at least a quarter of all; the
-/// fault is the one that more of it names. Else undecided.
+/// if more of the time says so than the opposite: for a fault at least a quarter of all,
+/// which is the one that more of it names, for its absence half of all. Else undecided.
 [[nodiscard]] ident::Verdict majority_of(const Votes& votes);
 
 /// " 3 stiction, 1 undecided", in the order of ident::Verdict; "" without windows.

@@ -27,6 +27,12 @@ TEST(Votes, TooFewOrAsManyOnEachSideLeaveItOpen) {
   EXPECT_EQ(majority_of(votes(1, 1, 2, 0)), V::kUndecided);
 }
 
+TEST(Votes, NoFaultIsSaidWhereHalfOfTheTimeSaysSo) {
+  EXPECT_EQ(majority_of(votes(0, 0, 2, 2)), V::kNoStiction);
+  EXPECT_EQ(majority_of(votes(0, 0, 469, 1091)), V::kUndecided);
+  EXPECT_EQ(majority_of(votes(469, 0, 0, 1091)), V::kStiction);
+}
+
 TEST(Votes, CountByTheLengthOfTheirWindows) {
   EXPECT_EQ(majority_of(votes(700, 0, 450, 260)), V::kStiction);
   EXPECT_EQ(majority_of(votes(0, 0, 40, 190)), V::kUndecided);
