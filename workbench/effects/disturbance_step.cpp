@@ -43,6 +43,13 @@ bool passes(std::span<const double> p) {
   return p[kPassing] > 0.5;
 }
 
+// Of its size, what the output has come to by the end of the load or of the recording.
+double share_reached(const Situation& s, std::span<const double> p) {
+  if (p[kThroughProcess] < 0.5 || !(s.first_lag_s > 0)) return 1;
+  const double lasts = (passes(p) ? p[kEnd] : s.duration_s()) - p[kTime];
+  return 1 - std::exp(-std::max(lasts, 0.0) / s.first_lag_s);
+}
+
 // How much of a unit load has come by a time, sample by sample: at once, or the share of
 // the interval before the sample.
 void add_change(double samples, bool at_once, double by, std::span<double> column) {
@@ -156,7 +163,7 @@ class Step final : public Effect {
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double> c) const override {
-    if (!s.integrating && std::abs(c[0]) > s.y_span()) {
+    if (!s.integrating && std::abs(c[0]) * share_reached(s, p) > s.y_span()) {
       return "it would have to be larger than all that the output does";
     }
     // What comes through the process makes no controller jump.

@@ -12,7 +12,7 @@ namespace {
 // What is said against a step by `amplitude` at 30 s, at once or through the process,
 // until `end` s or for good, in an output that goes from 0 to 10 in steps of 0.1.
 std::string objection(double amplitude, bool through_process, double end = 0,
-                      double u_jumps_at = 0) {
+                      double u_jumps_at = 0, double lag_s = 0) {
   std::vector<double> u(101, 40.0);
   std::vector<double> y(101);
   for (std::size_t k = 0; k < y.size(); ++k) {
@@ -21,7 +21,8 @@ std::string objection(double amplitude, bool through_process, double end = 0,
     if (u_jumps_at > 0 && t >= u_jumps_at && t < u_jumps_at + 40) u[k] = 60;
   }
   u.back() = 41;  // moves once more, a little
-  const Situation s = situation_of(u, y, 1);
+  Situation s = situation_of(u, y, 1);
+  s.first_lag_s = lag_s;
   const std::vector<double> p = {30, through_process ? 1.0 : 0.0, end > 0 ? 1.0 : 0.0,
                                  end};
   return effects::disturbance_step().objection(s, p, std::vector<double>{amplitude});
@@ -31,6 +32,7 @@ TEST(LoadStep, IsNoLargerThanWhatTheOutputDoes) {
   EXPECT_EQ(objection(9, true), "");
   EXPECT_EQ(objection(-11, true),
             "it would have to be larger than all that the output does");
+  EXPECT_EQ(objection(-11, true, 0, 0, 100), "") << "half of it comes within 70 s";
 }
 
 // A controller that answers a load through the process does not jump.
