@@ -8,7 +8,6 @@
 #include "ident/signal/differences.hpp"
 #include "ident/signal/sensor_hold.hpp"
 #include "ident/signal/storage.hpp"
-#include "workbench/effects/situation.hpp"
 
 namespace workbench::effects {
 namespace {
@@ -255,6 +254,11 @@ Held held_in(std::span<const double> reading, double same) {
   const double share = 1 - static_cast<double>(jumps.size()) / std::max(n, 1.0);
   if (jumps.empty()) return {0, share, 0, 0};
   return {jumps.size(), share, quantile(jumps, kSmall), quantile(jumps, 0.5)};
+}
+
+bool are_filled_in(const Situation& situation, double repeated) {
+  constexpr double kMost = 0.5;
+  return situation.filled_share > kMost * repeated;
 }
 
 }  // namespace workbench::effects

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "workbench/effects/situation.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench::effects {
@@ -37,6 +38,10 @@ struct Held {
   double usual_jump = 0;  ///< half of them are
 };
 [[nodiscard]] Held held_in(std::span<const double> reading, double same);
+
+/// Whether more than half of the repeats, `repeated` of the samples, are instants that no
+/// row was read for: the value before is held there.
+[[nodiscard]] bool are_filled_in(const Situation& situation, double repeated);
 
 /// True where hardly any reading comes more than `most` times, two or so: y is refreshed
 /// nearly as often as it is recorded, and a sensor that sticks holds longer where y

@@ -79,10 +79,8 @@ bool is_interpolated(const Situation& s) {
 // Whether most of the repeats are instants that no row was read for, and the rows are
 // not those that left a band: a loop that asks when it can, not a historian.
 bool is_own_doing(const Situation& s, const Held& held) {
-  constexpr double kMost = 0.5;      // of the repeats
   constexpr double kSmallest = 0.2;  // of a usual move: none is below a band
-  return s.filled_share > kMost * held.share &&
-         held.least_jump < kSmallest * held.usual_jump;
+  return are_filled_in(s, held.share) && held.least_jump < kSmallest * held.usual_jump;
 }
 
 // Whether what holds them does so in the same rows.

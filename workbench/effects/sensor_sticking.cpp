@@ -47,13 +47,12 @@ class Sticking final : public Effect {
              .constant = true}};
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
-    constexpr double kOwnDoing = 0.5;  // of the repeats, made by filling gaps
     const Holder holder = who_holds(s.u, s.y);
     if (holder == Holder::kNobody) {
       const Frozen frozen = frozen_in(s.u, s.y);
       const double share =
           static_cast<double>(frozen.samples) / static_cast<double>(s.samples());
-      if (frozen.least == 0 || s.filled_share > kOwnDoing * share) return {};
+      if (frozen.least == 0 || are_filled_in(s, share)) return {};
       return {{0, share, (static_cast<double>(frozen.least) - 0.5) * s.period_s}};
     }
     if (holder == Holder::kHistorian) return {};
@@ -61,7 +60,7 @@ class Sticking final : public Effect {
     const std::size_t refreshed = s.filled_share > 0 ? 3 : 2;  // one of them filled in
     if (is_scanned_slowly(s.y, same, refreshed)) return {};
     const Held held = held_in(s.y, same);
-    if (s.filled_share > kOwnDoing * held.share) return {};
+    if (are_filled_in(s, held.share)) return {};
     return {{held.least_jump, held.share, 0}};
   }
   [[nodiscard]] Excitation excitation(const Situation& s,

@@ -16,7 +16,9 @@ std::string on_the_valve(const ModelReport& report, const ReportData& valve) {
   std::string out = valve_verdict(valve);
   const std::string both =
       reconciled(valve.analysis.result(), report.model, report.explanation.best());
-  if (!both.empty()) out += "<p>" + both + "</p>\n";
+  // The verdict has said its own reason.
+  const bool said = both == ident::sentence(valve.analysis.result().reason);
+  if (!both.empty() && !said) out += "<p>" + both + "</p>\n";
   return out + valve_tiles(valve) +
          section("The valve", "", side_by_side(path_figure(valve), loop_figure(valve)));
 }

@@ -41,4 +41,9 @@ std::string state_name(std::string_view name, std::size_t piece) {
   return out;
 }
 
+const Parameter* find(const std::vector<Parameter>& parameters, std::string_view name) {
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  return found == parameters.end() ? nullptr : &*found;
+}
+
 }  // namespace workbench

@@ -81,4 +81,8 @@ struct Model {
   [[nodiscard]] std::vector<std::string> effect_codes() const;
 };
 
+/// The parameter of that name; null where there is none.
+[[nodiscard]] const Parameter* find(const std::vector<Parameter>& parameters,
+                                    std::string_view name);
+
 }  // namespace workbench

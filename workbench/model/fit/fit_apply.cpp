@@ -63,13 +63,6 @@ bool Fitter::fitted_to_this(const Model& model) const {
 
 namespace {
 
-const Parameter* find(const std::vector<Parameter>& parameters, std::string_view name) {
-  for (const Parameter& parameter : parameters) {
-    if (parameter.name == name) return &parameter;
-  }
-  return nullptr;
-}
-
 const std::vector<Parameter>* parameters_of(const Model& model, const Effect* effect) {
   if (effect == nullptr) return &model.process;
   for (const EffectTerm& term : model.effects) {

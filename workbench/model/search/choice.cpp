@@ -117,12 +117,6 @@ bool is_same_fact(const Trial& one, const Trial& other) {
          std::abs(one.fit->error - other.fit->error) < kEqual * other.fit->error;
 }
 
-// Of the squared validation error of the other one.
-double share_left(const Fitter& fitter, const Trial& trial, const Trial& of) {
-  const double left = fitter.rmse_on(*trial.fit, false) / fitter.rmse_on(*of.fit, false);
-  return left * left;
-}
-
 // Parameters less those of the initial state.
 std::size_t of_the_plant(const Fit& fit) {
   std::size_t initial = 0;

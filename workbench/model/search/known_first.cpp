@@ -28,13 +28,6 @@ bool is_with_recorded(const Trial& trial, const Trial& best) {
          });
 }
 
-bool leaves_as_little(const Fitter& fitter, const Trial& trial, const Trial& best) {
-  constexpr double kMost = 2;  // of the squared error
-  const double left = fitter.rmse_on(*trial.fit, false);
-  const double least = fitter.rmse_on(*best.fit, false);
-  return left * left < kMost * least * least;
-}
-
 }  // namespace
 
 bool is_lone_load_step(const Trial& trial) {
@@ -54,13 +47,14 @@ bool has_unknown_cause(const std::vector<const Effect*>& effects) {
 }
 
 Trial* known_first(const Fitter& fitter, std::vector<Trial>& trials, Trial* best) {
+  constexpr double kMost = 2;  // of the squared error
   std::vector<Trial*> found;
   for (Trial& trial : trials) {
     if (!accepted(trial)) continue;
     const bool known =
         (is_lone_load_step(*best) && trial.identified) ||
         (has_unknown_cause(members_of(*best)) && is_with_recorded(trial, *best) &&
-         leaves_as_little(fitter, trial, *best));
+         share_left(fitter, trial, *best) < kMost);
     if (known) found.push_back(&trial);
   }
   Trial* const known = least_score(std::move(found));

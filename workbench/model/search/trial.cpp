@@ -60,6 +60,11 @@ bool fits_better(const Trial* a, const Trial* b) {
   return total_error(*a->fit) < total_error(*b->fit);
 }
 
+double share_left(const Fitter& fitter, const Trial& trial, const Trial& of) {
+  const double left = fitter.rmse_on(*trial.fit, false) / fitter.rmse_on(*of.fit, false);
+  return left * left;
+}
+
 bool is_bent(const Description& effect) {
   return (effect.place >= Place::kRate && effect.place <= Place::kCharacteristic) ||
          effect.place == Place::kOverflow || effect.bends;

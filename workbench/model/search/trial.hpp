@@ -49,6 +49,10 @@ void leave_in_doubt(Trial& trial, const std::string& but);
 [[nodiscard]] std::string percent(double share);
 extern const char* const kUntold;  ///< why, of values that may be none
 
+/// What `trial` leaves of the squared error of `of` on the samples that judge.
+[[nodiscard]] double share_left(const Fitter& fitter, const Trial& trial,
+                                const Trial& of);
+
 /// One of those that `whole`, of two or more, is made of.
 [[nodiscard]] bool is_member(const Trial& trial, const Trial& whole);
 

@@ -21,11 +21,6 @@ bool gains_from(const Model& model, std::string_view effect) {
   return model.has(effect) && harm_of(model, effect) == nullptr;
 }
 
-const Parameter* find(const std::vector<Parameter>& parameters, std::string_view name) {
-  const auto found = std::ranges::find(parameters, name, &Parameter::name);
-  return found == parameters.end() ? nullptr : &*found;
-}
-
 // Of the stem that the model lacks, or else has; null where neither is.
 const Parameter* band_of(const Model& model, const Candidate* missing,
                          std::string_view name) {
