@@ -231,19 +231,43 @@ double line_share(std::span<const double> signal, double period_s, double line_s
 
 namespace {
 
+// Unit of the last decimal that the levels are written with; 0 where it is below `least`.
+double last_decimal(std::span<const double> levels, double least) {
+  constexpr double kWhole = 1e-6;  // of a unit
+  for (double unit = 1; unit > least; unit /= 10) {
+    const bool whole = std::ranges::all_of(levels, [unit](double level) {
+      return std::abs(level / unit - std::round(level / unit)) < kWhole;
+    });
+    if (whole) return unit;
+  }
+  return 0;
+}
+
 // How far off its place a level of a lattice may be written, in steps: by the last
 // decimal of the file, and a little where it has more decimals.
 double off_place(std::span<const double> levels, double step) {
   constexpr double kLeast = 0.05;
   constexpr double kMost = 0.1;
-  constexpr double kWhole = 1e-6;  // of a unit
-  for (double unit = 1; unit > kLeast * step; unit /= 10) {
-    const bool whole = std::ranges::all_of(levels, [unit](double level) {
-      return std::abs(level / unit - std::round(level / unit)) < kWhole;
-    });
-    if (whole) return std::clamp(unit / step, kLeast, kMost);
+  return std::clamp(last_decimal(levels, kLeast * step) / step, kLeast, kMost);
+}
+
+// Step of a converter whose levels the file rounds to two or three of its last decimals
+// apart: each is as far from the next to that decimal, and the signal comes back to them;
+// what leaves an exception band stands anywhere. 0 where they are of another kind.
+double step_of_rounded(std::span<const double> levels, std::span<const double> gaps,
+                       std::span<const double> signal) {
+  constexpr std::size_t kFewest = 8;
+  constexpr double kComesBack = 1.5;  // moves a level
+  const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());
+  const double unit = last_decimal(levels, *least / 4);
+  if (levels.size() < kFewest || unit == 0 || *least < 1.5 * unit ||
+      *most > *least + 1.5 * unit) {
+    return 0;
   }
-  return kLeast;
+  double moves = 0;
+  for (std::size_t k = 1; k < signal.size(); ++k) moves += signal[k] != signal[k - 1];
+  if (moves < kComesBack * static_cast<double>(levels.size())) return 0;
+  return (levels.back() - levels.front()) / static_cast<double>(gaps.size());
 }
 
 }  // namespace
@@ -263,6 +287,9 @@ Lattice lattice_of(std::span<const double> signal) {
   std::vector<double> gaps;
   for (std::size_t i = 1; i < levels.size(); ++i) {
     gaps.push_back(levels[i] - levels[i - 1]);
+  }
+  if (const double step = step_of_rounded(levels, gaps, signal); step > 0) {
+    return {step, 1, levels.size()};
   }
   // The step is the usual gap; refined over all levels so that rounded stamps do not add
   // up, then checked against every value.

@@ -119,6 +119,25 @@ TEST(Situation, ReadingsThatStickLieOnNoLattice) {
   EXPECT_LT(lattice_of(y).share, 0.95);
 }
 
+// 0.24 written as 0.2 here and 0.3 there; a record that holds what leaves a band rises in
+// such steps, too, but comes back elsewhere.
+TEST(Situation, SeesALatticeThatTheFileRounds) {
+  const auto rounded = [](double value) { return std::round(10 * value) / 10; };
+  std::vector<double> y;
+  for (const double value : sinusoid(1000, 177.3, 4)) {
+    y.push_back(rounded(70 + 0.24 * std::round(value / 0.24)));
+  }
+  EXPECT_NEAR(lattice_of(y).step, 0.24, 0.005);
+  EXPECT_DOUBLE_EQ(lattice_of(y).share, 1);
+  double held = 0;
+  y.clear();
+  for (const double value : sinusoid(1000, 177.3, 4)) {
+    if (std::abs(value - held) > 0.2) held = value;
+    y.push_back(rounded(70 + held));
+  }
+  EXPECT_NEAR(lattice_of(y).step, 0.1, 1e-9);  // the last decimal
+}
+
 TEST(Situation, KnowsTheRangesOfTheSignals) {
   const std::vector<double> u = {1, 5, 3};
   const std::vector<double> y = {-1, 0, 2};
