@@ -11,6 +11,10 @@ namespace ident {
 namespace {
 
 constexpr double kReversalShare = 0.3;
+// Where u drifts further than it swings, not on a bare board: the retreats that are tried
+// next, and the fewest samples a turning point, for noise turns more often.
+constexpr std::array kSharesOfDrift = {0.15, 0.1};
+constexpr std::size_t kSamplesATurn = 8;
 // Not on a bare board, whose flash has no room for it: of an oscillation whose turning
 // points are looked for though u drifts, as long as they are not more in a cycle than it
 // can have.
@@ -19,14 +23,27 @@ constexpr double kMostTurns = 3;
 constexpr std::size_t kFewTurns = 10;
 constexpr std::size_t kMostReversals = kLeastSizes ? 128 : 256;
 
-}  // namespace
-
+// Turning points of what swings on a drift, irregularly; `few` where there are not ten.
 template <class Real>
-Movement<Real> measure_movement(std::span<const Real> u,
-                                const OscillationReport<Real>& oscillation, Real u_range,
-                                std::span<unsigned char> ascending) {
-  std::array<Reversal<Real>, kMostReversals> found;
-  const std::span<Reversal<Real>> list(found);
+std::size_t mark_on_drift(std::span<const Real> u, std::size_t few,
+                          std::span<unsigned char> ascending,
+                          std::span<Reversal<Real>> list) {
+  for (const double share : kSharesOfDrift) {
+    const std::size_t count = mark_directions<Real>(u, Real(share), ascending, list);
+    if (count >= kFewTurns && count * kSamplesATurn < u.size()) {
+      return count;
+    }
+  }
+  mark_directions<Real>(u, Real(kReversalShare), ascending, list);
+  return few;
+}
+
+// (M1)
+template <class Real>
+std::size_t mark_turns(std::span<const Real> u,
+                       const OscillationReport<Real>& oscillation, Real u_range,
+                       std::span<unsigned char> ascending,
+                       std::span<Reversal<Real>> list) {
   const Real samples = static_cast<Real>(u.size());
   const Real share = Real(kReversalShare);
   std::size_t count = mark_directions<Real>(u, share, ascending, list);
@@ -43,6 +60,24 @@ Movement<Real> measure_movement(std::span<const Real> u,
       }
     }
   }
+  if constexpr (kStemSearch) {
+    if (!oscillation.detected && count < kFewTurns) {
+      count = mark_on_drift<Real>(u, count, ascending, list);
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+template <class Real>
+Movement<Real> measure_movement(std::span<const Real> u,
+                                const OscillationReport<Real>& oscillation, Real u_range,
+                                std::span<unsigned char> ascending) {
+  std::array<Reversal<Real>, kMostReversals> found;
+  const std::span<Reversal<Real>> list(found);
+  const Real samples = static_cast<Real>(u.size());
+  const std::size_t count = mark_turns<Real>(u, oscillation, u_range, ascending, list);
   Movement<Real> movement;
   movement.reversals = static_cast<int>(count);
   movement.period = samples / Real(4);

@@ -25,11 +25,12 @@ struct Movement {
 /// `u` is scaled to 0 … 1; `u_range` is its range in the unit of `oscillation.amplitude`.
 /// A turning point is a retreat of 30 % of the range of u; where u drifts, so that this
 /// finds fewer than one in a cycle of the oscillation, of 30 % of its usual swing. One
-/// that is not quite regular enough to be detected counts where fewer than ten are found;
-/// not on a bare board.
-/// The period is the detected one, or else twice the median distance of turning points.
-/// Cost: two passes. Stack: 256 turning points, 128 in the least sizes (limits.hpp);
-/// later ones do not enter the medians.
+/// that is not quite regular enough to be detected counts where fewer than ten are found,
+/// and what swings on a drift at all events where retreats of 15 or 10 % of the range
+/// make ten, each eight samples or more from the next; neither on a bare board. The
+/// period is the detected one, or else twice the median distance of turning points. Cost:
+/// two passes. Stack: 256 turning points, 128 in the least sizes (limits.hpp); later ones
+/// do not enter the medians.
 template <class Real>
 [[nodiscard]] Movement<Real> measure_movement(std::span<const Real> u,
                                               const OscillationReport<Real>& oscillation,

@@ -111,6 +111,22 @@ TEST(Movement, FindsTurningPointsOfANearlyRegularOscillation) {
   EXPECT_EQ(measured(u, report).reversals, 0);
 }
 
+// What swings by a fifth of the range on a drift turns as often as on the level; what
+// turns at every fourth sample is noise.
+TEST(Movement, FindsTurningPointsThatFollowNoPeriodOnADrift) {
+  const auto drifting = [](int period) {
+    std::vector<double> u = triangle(400, period, 0.2);
+    for (std::size_t t = 0; t < u.size(); ++t) {
+      u[t] += 0.8 * static_cast<double>(t) / 400;
+    }
+    return u;
+  };
+  const auto movement = measured(drifting(40));
+  EXPECT_EQ(movement.reversals, 19);
+  EXPECT_NEAR(movement.swing, 0.2, 0.05);
+  EXPECT_EQ(measured(drifting(8)).reversals, 0);
+}
+
 // The amplitude is in the unit of u_range: 1000 times both is the same.
 TEST(Movement, ReadsTheAmplitudeInItsUnit) {
   std::vector<double> u = triangle(400, 40, 0.1);
