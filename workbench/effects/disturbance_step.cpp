@@ -37,6 +37,23 @@ bool u_jumps_before(const Situation& s, double time_s) {
   });
 }
 
+// Of so few moves of u none tells how the process answers another one.
+bool lacks_others(const Situation& s) {
+  constexpr std::size_t kLone = 2;
+  return great_jumps_of_u(s).size() <= kLone;
+}
+
+// The answer to a jump of u is under way.
+bool is_answering(const Situation& s, double time_s) {
+  constexpr double kLags = 3;
+  constexpr double kMost = 0.25;  // of the recording
+  const double lasts =
+      std::min(kLags * (s.first_lag_s + s.second_lag_s), kMost * s.duration_s());
+  return std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
+    return jump_s <= time_s && time_s < jump_s + lasts;
+  });
+}
+
 enum : std::size_t { kTime, kThroughProcess, kPassing, kEnd };
 
 bool passes(std::span<const double> p) {
@@ -168,15 +185,12 @@ class Step final : public Effect {
     }
     // What comes through the process makes no controller jump.
     const auto jumps = p[kThroughProcess] < 0.5 ? u_jumps_before : u_jumps_near;
-    if (!jumps(s, p[kTime])) return {};
     if (!passes(p)) {
-      // Of more jumps the others tell how the process answers.
-      constexpr std::size_t kLone = 2;
-      return great_jumps_of_u(s).size() > kLone
-                 ? ""
-                 : "u jumps where it comes: the process may answer otherwise there";
+      return lacks_others(s) && (jumps(s, p[kTime]) || is_answering(s, p[kTime]))
+                 ? "u jumps where it comes: the process may answer otherwise there"
+                 : "";
     }
-    if (!jumps(s, p[kEnd])) return {};
+    if (!jumps(s, p[kTime]) || !jumps(s, p[kEnd])) return {};
     return "u jumps where it comes and where it goes: the process may answer otherwise "
            "there";
   }
