@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
@@ -20,6 +22,27 @@ constexpr Description kDescription{
     .split = "calibrate the transmitter, and record longer",
     .needs_u = false,
 };
+
+// Whether u goes one way from `start_s` on, in a straight line.
+bool sweeps_from(const Situation& s, double start_s) {
+  constexpr double kStraight = 0.95;  // of the variance
+  constexpr double kRetreat = 0.02;   // of the span of u
+  const auto first = static_cast<std::size_t>(std::max(start_s, 0.0) / s.period_s);
+  const std::span<const double> u = s.u.subspan(std::min(first, s.samples()));
+  const auto n = static_cast<double>(u.size());
+  const double mean = std::reduce(u.begin(), u.end()) / std::max(n, 1.0);
+  double tt = 0;
+  double tu = 0;
+  double uu = 0;
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const double t = static_cast<double>(k) - (n - 1) / 2;
+    tt += t * t;
+    tu += t * (u[k] - mean);
+    uu += (u[k] - mean) * (u[k] - mean);
+  }
+  return count_reversals(u, kRetreat * s.u_span()) == 0 && uu > 0 &&
+         tu * tu > kStraight * tt * uu;
+}
 
 class Ramp final : public Effect {
  public:
@@ -50,6 +73,12 @@ class Ramp final : public Effect {
     return filled(
         "From t = {0} on the output drifts by {1} y in all, and u does not cause it.",
         {s.when(p[0]), number(c[0] * (s.duration_s() - p[0]), 3)});
+  }
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    return sweeps_from(s, p[0]) ? "u moves as steadily: a valve or process that answers "
+                                  "less of it there looks the same"
+                                : "";
   }
   [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
                                   std::span<const double> c) const override {

@@ -45,5 +45,30 @@ TEST(LoadStep, ThroughTheProcessIsDoubtedWhereUJumpsAboutThen) {
   EXPECT_EQ(objection(0.2, false, 70, 29.5), otherwise);
 }
 
+TEST(LoadStep, IsDoubtedWhileALoneMoveOfUIsAnswered) {
+  const char* const otherwise =
+      "u jumps where it comes: the process may answer otherwise there";
+  EXPECT_EQ(objection(2, true, 0, 20, 5), otherwise) << "two lags after the move";
+  EXPECT_EQ(objection(2, true, 0, 20, 2), "") << "five lags after it";
+}
+
+// What is said against a drift from 20 s on, where u is `wave` wide on a sweep.
+std::string objection_to_drift(double wave) {
+  std::vector<double> u(101);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    u[k] = static_cast<double>(k) + wave * (k % 10 < 5 ? 0 : 1);
+  }
+  const Situation s = situation_of(u, u, 1);
+  return effects::disturbance_ramp().objection(s, std::vector<double>{20},
+                                               std::vector<double>{0.1});
+}
+
+TEST(LoadRamp, IsDoubtedWhereUSweepsOneWay) {
+  EXPECT_EQ(objection_to_drift(0),
+            "u moves as steadily: a valve or process that answers less of it there looks "
+            "the same");
+  EXPECT_EQ(objection_to_drift(10), "");
+}
+
 }  // namespace
 }  // namespace workbench

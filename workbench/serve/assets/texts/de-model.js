@@ -92,6 +92,7 @@ export default {
   'little but the controller moves u here, and the verdict on the valve finds a stem that does not follow u: ask again when that is in the model': 'fast nur der Regler bewegt hier u, und das Urteil über das Ventil findet eine Spindel, die u nicht folgt: Fragen Sie noch einmal, wenn sie im Modell ist',
   'It does not lower the error on samples that were not fitted.': 'Es senkt den Fehler auf nicht angepassten Werten nicht.',
   'Moves of u reach the output {0} s late around u = {1} and {2} s late around u = {3}, as through a pipe whose flow follows u.': 'Bewegungen von u erreichen den Ausgang um u = {1} nach {0} s und um u = {3} nach {2} s, wie durch ein Rohr, dessen Durchfluss u folgt.',
+  'u moves as steadily: a valve or process that answers less of it there looks the same': 'u bewegt sich ebenso stetig: Ein Ventil oder Prozess, der dort weniger antwortet, sieht genauso aus',
   'u jumps where it comes and where it goes: the process may answer otherwise there': 'u springt dort, wo sie kommt und wo sie geht: Vielleicht antwortet der Prozess dort anders',
   'it keeps step with the cycle of u, whose edges a sinusoidal load would not make': 'es hält Schritt mit dem Zyklus von u, dessen Kanten eine sinusförmige Last nicht machte',
   'It may stand in the place of {0}; beside that it adds nothing.': 'Es kann diesen Effekt ersetzen: {0}; daneben bringt es nichts.',
