@@ -90,8 +90,8 @@ class Overflow final : public Effect {
     }
     return filled("The output stays at {0} where u asks for more.", {number(p[0], 4)});
   }
-  // A peak leaves half of its samples in the upper quarter of any narrow band below its
-  // top; where the output is held, nearly all are there.
+  // A peak leaves a quarter of its samples in the upper sixteenth of any narrow band
+  // below its top; where the output is held, nearly all are there.
   [[nodiscard]] std::optional<double> own_test(const Situation& s,
                                                std::span<const double> p) const override {
     constexpr double kBand = 0.002;   // of the range of y
@@ -103,14 +103,15 @@ class Overflow final : public Effect {
     int near = 0;
     for (const double y : s.y) {
       top += y >= s.y_high - band;
-      near += y >= s.y_high - 4 * band;
+      near += y >= s.y_high - 16 * band;
     }
     const int trials = static_cast<int>(near / kDependent);
     const int hits = static_cast<int>(top / kDependent);
     double tail = 0;
     for (int k = hits; k <= trials; ++k) {
       tail += std::exp(std::lgamma(trials + 1) - std::lgamma(k + 1) -
-                       std::lgamma(trials - k + 1) - trials * std::log(2.0));
+                       std::lgamma(trials - k + 1) + k * std::log(0.25) +
+                       (trials - k) * std::log(0.75));
     }
     if (tail > kConvincing) return {};
     return tail;

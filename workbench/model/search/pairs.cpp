@@ -95,7 +95,9 @@ class PairSearch {
     // Some effects show only beside another.
     for (const std::size_t i : to_pair_with_all(few)) {
       if (had_their_share()) break;
-      for (std::size_t j = few; j < order_.size(); ++j) ask(i, j);
+      for (std::size_t j = 0; j < order_.size(); ++j) {
+        if (j >= few || i >= few) ask(std::min(i, j), std::max(i, j));
+      }
       try_waiting();
     }
     std::stable_sort(pairs_.begin(), pairs_.end(), [](const Trial& a, const Trial& b) {
@@ -179,14 +181,18 @@ class PairSearch {
   }
 
   // None where a pair that may be it leaves noise; else the best few, the loads, recorded
-  // or not, which hide more than others do, and those that would leave noise beside one
-  // that it cannot be: the right partner may be further back.
+  // or not, which hide more than others do, a limit that the recording shows by itself,
+  // and those that would leave noise beside one that it cannot be: the right partner may
+  // be further back.
   std::vector<std::size_t> to_pair_with_all(std::size_t few) const {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < std::min(kPairedWithAll, few); ++i) out.push_back(i);
     for (std::size_t i = kPairedWithAll; i < few; ++i) {
       const Effect* effect = order_[i]->effect;
       if (is_slow_load(*effect) || effect->description().recorded) out.push_back(i);
+    }
+    for (std::size_t i = few; i < order_.size(); ++i) {
+      if (order_[i]->own && order_[i]->effect->description().limits) out.push_back(i);
     }
     for (const Trial& pair : pairs_) {
       if (!is_noise(pair.fit->residual)) continue;
