@@ -299,6 +299,7 @@ WindowFinding Analysis::finding_of(const Window& window) const {
           t[window.first + window.length - 1],
           result.verdict,
           ladder.predicted > 0 ? ladder.nats : std::nan(""),
+          ident::nats_of_stems(result.evidence, std::nan("")),
           result.stick_band,
           result.gain_sign};
 }

@@ -63,10 +63,12 @@ const char* name_of(ident::ValveForm form) {
 Json windows_json(const Analysis& analysis) {
   Json out = Json::array();
   for (const WindowFinding& window : analysis.findings()) {
-    out.push_back({{"recording", window.recording + 1},
-                   {"t", {window.from_s, window.to_s}},
-                   {"verdict", ident::name(window.verdict)},
-                   {"nats", known(!std::isnan(window.nats), window.nats)}});
+    out.push_back(
+        {{"recording", window.recording + 1},
+         {"t", {window.from_s, window.to_s}},
+         {"verdict", ident::name(window.verdict)},
+         {"nats", known(!std::isnan(window.nats), window.nats)},
+         {"stem_nats", known(!std::isnan(window.stem_nats), window.stem_nats)}});
   }
   return out;
 }

@@ -66,7 +66,10 @@ std::string windows_table(const Analysis& analysis) {
         "  " + padded(std::to_string(window.recording + 1), 10) +
         padded(instant(window.from_s, period_s), 11) +
         padded(instant(window.to_s, period_s), 11) +
-        padded(std::isnan(window.nats) ? "too short" : fixed(window.nats, 1), 10) +
+        padded(std::isnan(window.nats)
+                   ? "too short"
+                   : fixed(std::fmax(window.nats, window.stem_nats), 1),
+               10) +
         (any_known(window.stick_band)
              ? padded(ident::name(window.verdict), 12) +
                    with_interval(window.stick_band.ascending) + '\n' +
@@ -78,7 +81,7 @@ std::string windows_table(const Analysis& analysis) {
   const std::string nats = together.predicted == 0 ? "none counts"
                            : together.nats > 0     ? fixed(together.nats, 1)
                                                    : "for no stick band";
-  return text + "  all of them" + std::string(21, ' ') + nats + "\n\n" +
+  return text + "  one band for all" + std::string(16, ' ') + nats + "\n\n" +
          line("Evidence",
               "how much better a sticking valve foretells y than one that follows u, in "
               "nats: 0 or below is no better, 10 is beyond chance. The verdict weighs "
