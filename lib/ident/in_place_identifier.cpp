@@ -250,6 +250,7 @@ void InPlaceIdentifier<Real, Capacity>::judge_loop(int budget) {
     case Stage::kStemEvidence:
     case Stage::kStemSearched:
     case Stage::kStemConfirmed:
+    case Stage::kBesideSetpoint:
       if (closed_loop().step(budget)) {
         take_stem_evidence();
       }
@@ -270,8 +271,10 @@ void InPlaceIdentifier<Real, Capacity>::take_stem_evidence() {
       return weigh_stem();
     case Stage::kStemSearched:
       return confirm_stem();
-    default:
+    case Stage::kStemConfirmed:
       return take_searched_stem();
+    default:
+      return take_beside_setpoint();
   }
 }
 

@@ -123,6 +123,7 @@ class InPlaceIdentifier {
     kStemEvidence,
     kStemSearched,
     kStemConfirmed,
+    kBesideSetpoint,
     kJudge,
     kGapStem,
     kGapOutput,
@@ -164,6 +165,8 @@ class InPlaceIdentifier {
   void search_stem();
   void confirm_stem();
   void take_searched_stem();
+  void look_beside_setpoint();
+  void take_beside_setpoint();
   void take_verdict();
   void tell_bands_seen_ahead();
   void take_stem();

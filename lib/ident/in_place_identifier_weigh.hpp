@@ -230,7 +230,7 @@ void InPlaceIdentifier<Real, Capacity>::search_stem() {
     const Evidence<Real>& e = result_.evidence;
     if (e.ladder.predicted == 0 || e.reversals < kFiveCycles ||
         !(load_may_hide(e) || fitted_valve_sticks(e))) {
-      return;
+      return look_beside_setpoint();
     }
     result_.evidence.searched.asked = true;
     evidence_stage().search.start(movement_.swing, u_[0],
@@ -258,8 +258,7 @@ void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
     const FoundStem<Real>& best = search.best();
     if (!best.known ||
         best.nats < Real(kNoNats) + stem_cost<Real>(closed_loop().predicted())) {
-      stage_ = Stage::kJudge;
-      return;
+      return look_beside_setpoint();
     }
     closed_loop().start_with(evidence_window(valve_stage().sums), best.valve(),
                              kParametersOfStem);
@@ -283,8 +282,38 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
     found.strokes = closed_loop().strokes();
     found.band = {band(f.stick_ascending(), search.ascending()),
                   band(f.stick_descending(), search.descending())};
-    stage_ = Stage::kJudge;
+    look_beside_setpoint();
   }
+}
+
+// (E20) The stronger stem once more, where a setpoint that moves may do its work.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_beside_setpoint() {
+  stage_ = Stage::kJudge;
+  if constexpr (kStemSearch) {
+    const Evidence<Real>& e = result_.evidence;
+    const auto moved = [this](Real sp) { return sp != setpoint_[0]; };
+    if (!(nats_of_stems(e, Real(0)) > Real(0)) ||
+        std::none_of(setpoint_.begin(), setpoint_.end(), moved)) {
+      return;
+    }
+    EvidenceWindow<Real> window = evidence_window(valve_stage().sums);
+    window.setpoint = setpoint_;
+    closed_loop().start_with(
+        window,
+        searched_is_stronger(e) ? evidence_stage().search.best().valve() : chosen_valve(),
+        0);
+    stage_ = Stage::kBesideSetpoint;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_beside_setpoint() {
+  if constexpr (kStemSearch) {
+    result_.evidence.beside_setpoint = {closed_loop().predicted() > 0,
+                                        closed_loop().nats()};
+  }
+  stage_ = Stage::kJudge;
 }
 
 template <class Real, std::size_t Capacity>

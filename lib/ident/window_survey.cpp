@@ -92,6 +92,8 @@ void WindowSurvey<Real>::measure(Identification<Real>& result) {
   movement_ = measure_movement<Real>(window_.u, result.oscillation, of_u_.factor,
                                      window_.ascending);
   result.evidence.reversals = movement_.reversals;
+  result.evidence.drifts =
+      !result.oscillation.detected && movement_.swing < Real(kReversalShare);
   result.cycles = movement_.cycles;
   stage_ = Stage::kController;
 }

@@ -89,7 +89,7 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
 // Leaves what is predicted at 0 where the window is too short.
 template <class Real>
 void ClosedLoopEvidence<Real>::begin_sums(std::span<const LagBin> bins) {
-  sums().start(lag_bins_for(count_, bins));
+  sums().start(lag_bins_for(count_, bins), setpoint_of(window_, thinning_));
   const std::size_t reach = sums().reach();
   predicted_ = count_ < reach + kFewestRows ? 0 : count_ - reach;
   next_ = reach;

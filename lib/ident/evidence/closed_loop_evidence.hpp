@@ -29,7 +29,18 @@ struct EvidenceWindow {
   Real period = 0;  ///< of u, samples
   Real swing = 1;   ///< usual distance of two turning points, unit of u
   Real span = 1;    ///< of u, unit of u: the ladder's
+  std::span<const Real> setpoint = {};  ///< as long, any unit; empty: not looked at
 };
+
+/// Its setpoint at the rate of what is predicted.
+template <class Real>
+[[nodiscard]] ThinnedSignal<Real> setpoint_of(const EvidenceWindow<Real>& window,
+                                              std::size_t thinning) {
+  if (window.setpoint.empty()) {
+    return {};
+  }
+  return {window.setpoint, thinning, window.setpoint[0]};
+}
 
 /// Samples of the window that make one of those that are predicted: fewer where u leaps
 /// within them, which predictions by means cannot follow. The small sizes hardly thin.

@@ -17,25 +17,27 @@ constexpr double kDependent = 2e-6;
 }  // namespace
 
 template <class Real>
-void OneStepSums<Real>::start(std::span<const LagBin> bins) {
+void OneStepSums<Real>::start(std::span<const LagBin> bins,
+                              const ThinnedSignal<Real>& setpoint) {
   bins_ = bins;
   sums_ = {};
   if constexpr (kStemSearch) {
     more_.second = {};
+    more_.setpoint = setpoint;
   }
 }
 
 // Bins of v at some successive samples, from row[column] on. The sum of a bin of several
 // lags follows from the one before it.
 template <class Real>
-void OneStepSums<Real>::lay_bins(const ThinnedSignal<Real>& v, std::size_t t,
-                                 std::size_t count, Rows& rows,
-                                 std::size_t column) const {
+void OneStepSums<Real>::lay(std::span<const LagBin> bins, const ThinnedSignal<Real>& v,
+                            std::size_t t, std::size_t count, Rows& rows,
+                            std::size_t column) {
   const std::size_t thinning = v.thinning;
   const Real each = Real(1) / static_cast<Real>(thinning);
   Real means[kTogether] = {};
-  for (std::size_t b = 0; b < bins_.size(); ++b) {
-    const LagBin bin = bins_[b];
+  for (std::size_t b = 0; b < bins.size(); ++b) {
+    const LagBin bin = bins[b];
     const Real* oldest = &v.values[(t - static_cast<std::size_t>(bin.last)) * thinning];
     const Real* newest = &v.values[(t - static_cast<std::size_t>(bin.first)) * thinning];
     const bool single = bin.first == bin.last;
@@ -50,12 +52,20 @@ void OneStepSums<Real>::lay_bins(const ThinnedSignal<Real>& v, std::size_t t,
         sum += *newest++;
       }
       const Real mean = sum * share;
-      rows[k][column + b] = b == 0 ? mean : means[k] - mean;
+      rows[k][column + b] = b == 0 ? mean - v.offset : means[k] - mean;
       means[k] = mean;
       for (std::size_t s = 0; s < thinning; ++s) {
         sum -= *oldest++;
       }
     }
+  }
+}
+
+template <class Real>
+void OneStepSums<Real>::lay_setpoint(std::size_t t, std::size_t count, Rows& rows,
+                                     std::size_t column) const {
+  if constexpr (kStemSearch) {
+    lay(setpoint_bins(), more_.setpoint, t, count, rows, column);
   }
 }
 
@@ -77,6 +87,7 @@ void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z
         rows[k][bins_.size()] = Real(1);
         rows[k][bins_.size() + 1] = y[t + k] - y[t + k - 1];
       }
+      lay_setpoint(t, count, rows, bins_.size() + 2);
       if (!z.empty()) {
         lay_bins({z}, t, count, rows, outputs());
         if constexpr (kStemSearch) {
@@ -192,17 +203,20 @@ void OneStepSums<Real>::solve_weights() {
 template <class Real>
 Real OneStepSums<Real>::error_of(std::span<const Real> y, std::span<const Real> z,
                                  std::size_t first, std::size_t last) const {
-  const std::size_t of_z = bins_.size() + 1;
+  const std::size_t of_setpoint = bins_.size() + 1;
+  const std::size_t of_z = outputs() - 1;
   Real sum = 0;
   for (std::size_t t = first; t < last; t += kTogether) {
     const std::size_t count = std::min(kTogether, last - t);
     Rows rows;
     lay_bins({y}, t, count, rows, 0);
+    lay_setpoint(t, count, rows, of_setpoint);
     lay_bins({z}, t, count, rows, of_z);
     for (std::size_t k = 0; k < count; ++k) {
-      Real error = y[t + k] - y[t + k - 1] - weights_[bins_.size()];
-      for (std::size_t b = 0; b < bins_.size(); ++b) {
-        error -= weights_[b] * rows[k][b] + weights_[of_z + b] * rows[k][of_z + b];
+      rows[k][bins_.size()] = Real(1);
+      Real error = y[t + k] - y[t + k - 1];
+      for (std::size_t j = 0; j < of_z + bins_.size(); ++j) {
+        error -= weights_[j] * rows[k][j];
       }
       sum += error * error;
     }
@@ -250,11 +264,12 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
       Real parts[kTogether] = {};
       for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t b = 0; b < bins_.size(); ++b) {
-          parts[k] += weights_[bins_.size() + 1 + b] * of_w[k][b];
+          parts[k] += weights_[outputs() - 1 + b] * of_w[k][b];
         }
       }
       lay_bins({y}, t, count, rows, 0);
-      lay_bins(z, t, count, rows, bins_.size() + 1);
+      lay_setpoint(t, count, rows, bins_.size() + 1);
+      lay_bins(z, t, count, rows, outputs() - 1);
       for (std::size_t k = 0; k < count; ++k) {
         rows[k][bins_.size()] = Real(1);
         rows[k][columns() - 1] = parts[k];
@@ -304,7 +319,7 @@ Real OneStepSums<Real>::planted_by_noise() const {
     for (std::size_t b = 0; b < bins_.size(); ++b) {
       left_of(more_.noise.with_columns[b], Real(0), of_w[b]);
       Row unit{};
-      unit[bins_.size() + 1 + b] = 1;
+      unit[outputs() - 1 + b] = 1;
       left_of(unit, Real(0), of_weight[b]);
       for (std::size_t c = 0; c <= b; ++c) {
         Real left = more_.noise.with_bins[b][c];

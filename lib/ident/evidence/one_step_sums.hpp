@@ -2,6 +2,7 @@
 // follows, for u or for any stem in its place.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -12,15 +13,18 @@
 
 namespace ident {
 
-/// A signal of which every `thinning` samples count as their mean.
+/// A signal of which every `thinning` samples count as their mean, less `offset`.
 template <class Real>
 struct ThinnedSignal {
   std::span<const Real> values;
   std::size_t thinning = 1;
+  Real offset = 0;
 };
 
 /// y(t) − y(t−1) regressed on the lags (lag_bins.hpp) of y, a constant, and the lags of
 /// one further signal z: docs/model.md (E10). What y brings is summed once, for every z.
+/// Where stems are searched, the lags of a setpoint that moves stand beside y, too: u
+/// answers it, and would know of y by that what no stem knows.
 ///
 /// Life: `start`, `add_output` over all rows, then for each z `begin_input`, `add_input`
 /// over the same rows, `error`; a second signal stands beside z after `begin_inputs`.
@@ -30,16 +34,20 @@ struct ThinnedSignal {
 /// 10⁻⁶ of themselves; no column counts for less than that.
 ///
 /// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 1,100 its noise, 39 its
-/// error. `error`: a factorisation of 39 unknowns, 11,000 multiplications. (19 bins.)
-/// Memory: 1,720 numbers, 460 in the small sizes; 1,520 more where stems are searched.
+/// error; beside a setpoint 378, 703, 66, 1,210, 45. `error`: a factorisation of 39
+/// unknowns, 11,000 multiplications, 17,000 beside a setpoint. (19 bins.)
+/// Memory: 460 numbers in the small sizes, 760 on a bare board, 4,000 where stems are
+/// searched.
 template <class Real>
 class OneStepSums {
  public:
-  static constexpr std::size_t kColumns = 2 * kLagBins.size() + 2;
+  static constexpr std::size_t kColumns =
+      2 * kLagBins.size() + 2 + (kStemSearch ? kSetpointLagBins.size() : 0);
 
-  /// Begins anew with these of lag_bins.hpp, at most kLagBins.size(); they must outlive
-  /// the sums.
-  void start(std::span<const LagBin> bins);
+  /// Begins anew with these of lag_bins.hpp, at most kLagBins.size(). `setpoint`: as long
+  /// as y times its thinning, or empty: it rests or is not known. Both must outlive the
+  /// sums.
+  void start(std::span<const LagBin> bins, const ThinnedSignal<Real>& setpoint = {});
   /// Rows first … last − 1 of y; `first` at least reach().
   void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
   void begin_input();
@@ -85,7 +93,25 @@ class OneStepSums {
   static constexpr std::size_t place(std::size_t row, std::size_t column) {
     return row * (row + 1) / 2 + column;
   }
-  [[nodiscard]] std::size_t outputs() const { return bins_.size() + 2; }
+  // Columns that are the same for every z.
+  [[nodiscard]] std::size_t outputs() const {
+    return bins_.size() + 2 + setpoint_bins().size();
+  }
+  // As far back as the others.
+  [[nodiscard]] std::span<const LagBin> setpoint_bins() const {
+    std::span<const LagBin> bins;
+    if constexpr (kStemSearch) {
+      if (!more_.setpoint.values.empty()) {
+        const auto known = [this](const LagBin& bin) {
+          return bin.last <= bins_.back().last;
+        };
+        bins = kSetpointLagBins;
+        bins = bins.first(
+            static_cast<std::size_t>(std::count_if(bins.begin(), bins.end(), known)));
+      }
+    }
+    return bins;
+  }
   [[nodiscard]] std::size_t columns() const {
     return outputs() + inputs() * bins_.size();
   }
@@ -96,8 +122,14 @@ class OneStepSums {
       return 1;
     }
   }
+  static void lay(std::span<const LagBin> bins, const ThinnedSignal<Real>& v,
+                  std::size_t t, std::size_t count, Rows& rows, std::size_t column);
   void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, std::size_t count,
-                Rows& rows, std::size_t column) const;
+                Rows& rows, std::size_t column) const {
+    lay(bins_, v, t, count, rows, column);
+  }
+  void lay_setpoint(std::size_t t, std::size_t count, Rows& rows,
+                    std::size_t column) const;
   void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
                std::size_t last);
   void add_products(const Row& bins_of_w, const Row& columns_of_z);
@@ -106,11 +138,12 @@ class OneStepSums {
                        Triangle& block);
 
   std::span<const LagBin> bins_ = kLagBins;
-  Triangle sums_{};  // columns: bins of y, 1, what is predicted, bins of z
+  // Columns: bins of y, 1, what is predicted, bins of the setpoint, bins of z.
+  Triangle sums_{};
   // The same with what is predicted at the end; inverse pivots. While rows are added, the
   // sums of a block of them.
   Triangle factor_{};
-  Row weights_{};  // of the bins of y, 1, and the bins of z
+  Row weights_{};  // of the same without what is predicted
   Row planted_{};  // sums of w's part with each column; its square last
   // Sums of each bin of w with each column, then with each bin of w.
   struct Products {
@@ -120,6 +153,7 @@ class OneStepSums {
   struct More {
     Products noise;
     ThinnedSignal<Real> second;
+    ThinnedSignal<Real> setpoint;
   };
   struct NoMore {};
   [[no_unique_address]] std::conditional_t<kStemSearch, More, NoMore> more_;

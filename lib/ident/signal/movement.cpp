@@ -10,7 +10,6 @@
 namespace ident {
 namespace {
 
-constexpr double kReversalShare = 0.3;
 // Where u drifts further than it swings, not on a bare board: the retreats that are tried
 // next, and the fewest samples a turning point, for noise turns more often.
 constexpr std::array kSharesOfDrift = {0.15, 0.1};

@@ -9,6 +9,9 @@
 
 namespace ident {
 
+/// Share of the range of u that it retreats by from a turning point.
+inline constexpr double kReversalShare = 0.3;
+
 /// What the searches need to know about u.
 template <class Real>
 struct Movement {

@@ -156,6 +156,12 @@ bool few_turns(const Evidence<Real>& evidence) {
 }
 
 template <class Real>
+Reason doubt_setpoint(Reason found, const Evidence<Real>& e) {
+  const bool left = !e.beside_setpoint.weighed || e.beside_setpoint.nats > Real(0);
+  return is_fault(verdict_of(found)) && !left ? Reason::kSetpointMoves : found;
+}
+
+template <class Real>
 Reason doubt_bands(Reason found, const Evidence<Real>& e, const PerStroke<Real>& fitted) {
   const bool ahead = exact(best_nats(e)) > Threshold(kAgreedNats);
   return is_fault(verdict_of(found)) && reach_zero(fitted) && !ahead
@@ -179,6 +185,7 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
   if constexpr (kStemSearch) {
     reason = doubt_few_turns(reason, e, facts.two_path_fit);
     reason = doubt_bounded(reason, e);
+    reason = doubt_setpoint(reason, e);
   }
   return doubt_bands(reason, e, fitted);
 }
@@ -195,6 +202,7 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
   template bool bound_outweighs<Real>(const Evidence<Real>&);                      \
   template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);              \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);                 \
+  template Reason doubt_setpoint<Real>(Reason, const Evidence<Real>&);             \
   template bool few_turns<Real>(const Evidence<Real>&);                            \
   template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real);      \
   template Reason doubt_bands<Real>(Reason, const Evidence<Real>&,                 \

@@ -61,6 +61,12 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_bent(Reason found, const Evidence<Real>& evidence);
 
+/// What a fault is where the setpoint moves and its lags leave the stem nothing to tell
+/// (E20): left open. u remembers y between the samples, and a setpoint that is not known
+/// hides that.
+template <class Real>
+[[nodiscard]] Reason doubt_setpoint(Reason found, const Evidence<Real>& evidence);
+
 /// What intervals of both stick bands that reach 0 leave of a fault, `fitted` running
 /// free: nothing firm, unless a stem says more than a little one sample ahead.
 template <class Real>

@@ -77,6 +77,18 @@ struct StemBesideU<Real, false> {
   static constexpr Real nats = 0;
 };
 
+/// What the stronger stem tells where the setpoint is known, too (E20).
+template <class Real, bool kSearched = kStemSearch>
+struct StemBesideSetpoint {
+  bool weighed = false;  ///< the setpoint moves, and a stem speaks
+  Real nats = 0;
+};
+template <class Real>
+struct StemBesideSetpoint<Real, false> {
+  static constexpr bool weighed = false;
+  static constexpr Real nats = 0;
+};
+
 /// The numbers behind the verdict, all free of units.
 template <class Real>
 struct Evidence {
@@ -98,6 +110,7 @@ struct Evidence {
   LadderFinding<Real> ladder;   ///< closed-loop evidence; bands over the usual swing of u
   bool stem_weighed = false;
   bool by_hand = false;  ///< u rests but for a few moves: moves_rarely()
+  bool drifts = false;   ///< u, irregularly, further than it swings
   Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
   int stem_strokes = 0;  ///< how often it turned back
   [[no_unique_address]] SearchedStem<Real> searched;
@@ -105,6 +118,7 @@ struct Evidence {
   [[no_unique_address]] BoundedFinding<Real> bounded;
   [[no_unique_address]] StrokePace<Real> pace;
   [[no_unique_address]] StemBesideU<Real> beside_u;
+  [[no_unique_address]] StemBesideSetpoint<Real> beside_setpoint;
 };
 
 /// Whether the searched one of the window's own stems has more closed-loop evidence than

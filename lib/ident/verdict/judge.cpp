@@ -178,8 +178,9 @@ Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (poor && !oscillates) {
     return Reason::kModelTooPoor;
   }
-  const Threshold hoped =
-      exact(kStemSearch && !few ? e.ladder.hoped_band : e.ladder.detectable_band);
+  // Nor is a swing on a drift one that u comes back to.
+  const bool steady = kStemSearch && !few && !e.drifts;
+  const Threshold hoped = exact(steady ? e.ladder.hoped_band : e.ladder.detectable_band);
   if (!(hoped > 0) || hoped > kHidden) {
     return Reason::kBandWouldNotShow;
   }

@@ -328,5 +328,40 @@ TEST(OneStepSums, BeginAnew) {
   EXPECT_EQ(sums.error(), error_of<double>(problem, 9));
 }
 
+// What a setpoint makes of y, no z has to: beside it neither z foretells anything.
+TEST(OneStepSums, ASetpointStandsBesideEverySignal) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  Random random(7);
+  const std::size_t n = 900;
+  Signal sp(n);
+  for (std::size_t t = 1; t < n; ++t) {
+    sp[t] = t % 90 == 0 ? 20 * test::normal(random) : sp[t - 1];
+  }
+  const Signal y = driven(random, sp, 0.3);
+  for (double& value : sp) {
+    value += 200;
+  }
+  const Signal z = noise(random, n);
+  OneStepSums<double> sums;
+  const auto error_with = [&](const ThinnedSignal<double>& setpoint, const Signal& of) {
+    sums.start(kLagBins, setpoint);
+    sums.add_output(y, sums.reach(), n);
+    sums.begin_input();
+    sums.add_input(y, of, sums.reach(), n);
+    return sums.error();
+  };
+  const ThinnedSignal<double> known{sp, 1, sp[0]};
+  EXPECT_GT(error_with(known, sp), 0.7 * error_with(known, z)) << "in coarser lags";
+  const double without = error_with({}, z);
+  const double with = error_with(known, z);
+  EXPECT_LT(with, 0.8 * without);
+  sums.solve_weights();
+  const std::size_t middle = (sums.reach() + n) / 2;
+  EXPECT_NEAR(
+      (sums.error_of(y, z, sums.reach(), middle) + sums.error_of(y, z, middle, n)) / with,
+      1, 1e-2)
+      << "the parts are the whole, but for what is not believed";
+}
+
 }  // namespace
 }  // namespace ident

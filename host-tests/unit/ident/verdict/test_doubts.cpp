@@ -232,6 +232,18 @@ TEST(Doubts, LeaveAFaultOpenWhereABoundedStemTellsMore) {
   EXPECT_EQ(doubt_bounded(found, e), Reason::kStemBounded);
 }
 
+TEST(Doubts, LeaveAFaultOpenWhereTheSetpointDoesItsWork) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  Evidence<double> e = sticking();
+  const Reason found = Reason::kSticksBothStrokes;
+  EXPECT_EQ(doubt_setpoint(found, e), found) << "the setpoint rests";
+  e.beside_setpoint = {true, 1};
+  EXPECT_EQ(doubt_setpoint(found, e), found);
+  e.beside_setpoint = {true, 0};
+  EXPECT_EQ(doubt_setpoint(found, e), Reason::kSetpointMoves);
+  EXPECT_EQ(doubt_setpoint(Reason::kLinearExplains, e), Reason::kLinearExplains);
+}
+
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {
   EXPECT_EQ(repeated(0, 500, 1, Reason::kLinearExplains), Reason::kLinearExplains);
 }

@@ -140,6 +140,21 @@ TEST(Judge, AFewStepsByHandSayWhatWouldHaveShown) {
   expect(judge(e, false), Reason::kTooFewCycles);
 }
 
+// What swings on a drift of u does not come back to where a band is hoped to show.
+TEST(Judge, OnADriftTheDetectableBandDecides) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  Evidence<double> e = following_by_hand();
+  e.by_hand = false;
+  e.reversals = 20;
+  e.ladder.hoped_band = 0.2;
+  e.ladder.detectable_band = 0;
+  expect(judge(e, false), Reason::kLinearExplains);
+  e.drifts = true;
+  expect(judge(e, false), Reason::kBandWouldNotShow);
+  e.ladder.detectable_band = 0.3;
+  expect(judge(e, false), Reason::kLinearExplains);
+}
+
 TEST(Judge, AMovedSetpointSaysWhatWouldHaveShown) {
   if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
   LoopEvidence<double> loop;
