@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "wire/text.hpp"
@@ -289,6 +290,18 @@ bool take_instrument(const std::string& name, const std::vector<NamePiece>& piec
   return true;
 }
 
+// The part at the end of a name, and the tag before it.
+void take_end(const EndPart& end, const std::string& name,
+              const std::vector<NamePiece>& pieces, ColumnName& out) {
+  out.part = end.part;
+  const std::size_t before = std::min(end.before, out.pieces.size());
+  if (before == 0) return;
+  for (std::size_t i = 0; i < before; ++i) out.tag += out.pieces[i];
+  out.loop = loop_of_tag(std::span(out.pieces).first(before));
+  out.prefix = std::string(
+      without_trailing(std::string_view(name).substr(0, pieces[before - 1].end), " "));
+}
+
 }  // namespace
 
 ColumnName column_name(std::string_view text) {
@@ -329,13 +342,7 @@ ColumnName column_name(std::string_view text) {
   out.loop = keys.front();
   if (end.part == Part::kValue && take_instrument(name, pieces, out)) return out;
   if (end.part != Part::kNone) {
-    out.part = end.part;
-    const std::size_t before = std::min(end.before, keys.size());
-    for (std::size_t i = 0; i < before; ++i) out.tag += keys[i];
-    if (before > 0) {
-      out.prefix = std::string(without_trailing(
-          std::string_view(name).substr(0, pieces[before - 1].end), " "));
-    }
+    take_end(end, name, pieces, out);
     return out;
   }
   if (const EndPart front = front_part(keys); front.part != Part::kNone) {
@@ -345,7 +352,7 @@ ColumnName column_name(std::string_view text) {
     if (keys.size() == behind + 1 && keys[behind].size() == 1) return out;
     for (std::size_t i = behind; i < keys.size(); ++i) out.tag += keys[i];
     out.prefix = name.substr(pieces[behind].begin);
-    out.loop = keys[behind];
+    out.loop = loop_of_tag(std::span(keys).subspan(behind));
     return out;
   }
   take_instrument(name, pieces, out);

@@ -19,7 +19,7 @@ struct ColumnName {
   std::string key;     ///< whole name without unit and without .Value, .CV, avg
   std::string prefix;  ///< what stands before the part, as written: FIC-101
   std::string tag;     ///< its key: fic101; "" where the name is only a part
-  std::string loop;    ///< key of its first piece: fic101 for FIC101.PIDA and FIC101.DACA
+  std::string loop;    ///< what loop_of_tag() makes of it: f101 for FIC101.PIDA and FT101
   std::vector<std::string> pieces;  ///< keys of the pieces between separators
   Part part = Part::kNone;
   std::size_t words_cut = 0;  ///< of .Value, .CV, avg, raw behind the part

@@ -59,7 +59,8 @@ class Chooser {
     std::vector<PickedSignal> out;
     for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
       if (const auto index = picked(column)) {
-        out.push_back({column, *index, by_elimination_ && column <= Column::y});
+        const bool last = by_elimination_ && column <= Column::y;
+        out.push_back({column, *index, last && names_.of(column).empty()});
       }
     }
     add_loads(out);
@@ -83,13 +84,13 @@ class Chooser {
     return out;
   }
 
-  [[nodiscard]] std::vector<Loop> loops(bool by_first_piece) const {
+  [[nodiscard]] std::vector<Loop> loops(bool by_loop) const {
     std::vector<Loop> out;
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const ColumnName& name = candidates_[i].name;
       if (!is_signal(name.part) || is_picked(i)) continue;
-      const std::string& key = by_first_piece ? name.loop : name.tag;
+      const std::string& key = by_loop ? name.loop : name.tag;
       const auto [at, is_new] = known.try_emplace(key, out.size());
       if (is_new) out.push_back({name.prefix, {}, {}});
       out[at->second].parts[name.part].push_back(i);
@@ -118,9 +119,9 @@ class Chooser {
       if (of_y) add_companions(*of_y);
       return;
     }
-    for (const bool by_first_piece : {false, true}) {
+    for (const bool by_loop : {false, true}) {
       std::vector<Loop> fitting;
-      for (Loop& loop : loops(by_first_piece)) {
+      for (Loop& loop : loops(by_loop)) {
         const bool has_all = std::all_of(wanted.begin(), wanted.end(), [&loop](Column c) {
           return loop.has(part_of(c));
         });
@@ -130,10 +131,18 @@ class Chooser {
       if (fitting.size() > 1) refuse_several(fitting);
       if (fitting.size() == 1) {
         take(fitting[0], wanted);
+        by_elimination_ = are_of_two_loops();
         return;
       }
     }
     if (!take_the_only(wanted)) refuse_missing(wanted);
+  }
+
+  [[nodiscard]] bool are_of_two_loops() const {
+    if (!picked(Column::u) || !picked(Column::y)) return false;
+    const ColumnName& u = candidates_[*picked(Column::u)].name;
+    const ColumnName& y = candidates_[*picked(Column::y)].name;
+    return !u.tag.empty() && !y.tag.empty() && u.tag != y.tag && u.loop != y.loop;
   }
 
   [[nodiscard]] std::vector<bool> taken() const {

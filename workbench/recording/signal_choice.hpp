@@ -39,7 +39,7 @@ struct PickedSignal {
 /// Takes what `names` says; the rest is the one tag prefix that has all of `required`
 /// (t aside), the contract's bare names first. sp and x of that prefix come along. MV is
 /// u where the prefix has no other, else x. Where blocks of one loop stand apart
-/// (FIC101.PIDA.OP, FIC101.DACA.PV), the first piece of the name counts as prefix.
+/// (FIC101.PIDA.OP, FIC101.DACA.PV), ColumnName::loop counts as prefix.
 /// Where no prefix has both, the only candidates that may be u and y are taken
 /// (signal_suggestion.hpp). Throws InputError when there is no such prefix or more than
 /// one, with what there is and a command line that would do, and std::invalid_argument

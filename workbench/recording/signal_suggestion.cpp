@@ -209,7 +209,10 @@ bool is_terminal(std::string_view piece) {
   constexpr std::array kTerminals = {"ch"sv,  "ai"sv, "ao"sv, "in"sv,
                                      "out"sv, "db"sv, "iw"sv, "qw"sv};
   const std::size_t digits = piece.find_first_of("0123456789");
-  if (digits == std::string_view::npos) return false;
+  if (digits == std::string_view::npos ||
+      piece.find_first_not_of("0123456789", digits) != std::string_view::npos) {
+    return false;
+  }
   const std::string_view letters = piece.substr(0, digits);
   return letters.size() < 2 || is_one_of(letters, kTerminals);
 }
@@ -217,7 +220,9 @@ bool is_terminal(std::string_view piece) {
 // Two names that do not say of which loop they are, or one that does not.
 bool may_be_one_loop(const ColumnName& a, const ColumnName& b) {
   const auto open = [](const ColumnName& name) {
-    return is_terminal(name.pieces.front()) && !name.by_letters;
+    return !name.by_letters && std::ranges::all_of(name.pieces, [](const auto& piece) {
+      return is_terminal(piece) || is_unit(piece) || is_signal(part_named(piece));
+    });
   };
   return a.tag.empty() || b.tag.empty() || (open(a) && open(b));
 }

@@ -35,5 +35,33 @@ TEST(InstrumentTag, OtherNamesAreNone) {
   }
 }
 
+TEST(LoopOfTag, IsTheVariableAndNumberBehindWhatStandsBefore) {
+  struct Example {
+    Pieces pieces;
+    const char* loop;
+  };
+  for (const Example& e : std::vector<Example>{
+           {{"fic101"}, "f101"},
+           {{"ft", "101"}, "f101"},
+           {{"area1", "fic", "101"}, "area1f101"},
+           {{"01", "fic", "101"}, "01f101"},
+           {{"10fic101"}, "10f101"},
+           {{"fic", "101", "b"}, "f101b"},
+           {{"plant", "pdic101", "pid1"}, "plantpd101"},
+           {{"unit", "1", "tic205", "ai1"}, "unit1t205"},
+       }) {
+    EXPECT_EQ(loop_of_tag(e.pieces), e.loop);
+  }
+}
+
+TEST(LoopOfTag, NoInstrumentLeavesAllButThePartsOfAnyLoop) {
+  EXPECT_EQ(loop_of_tag(Pieces{"loop1", "controller"}), "loop1");
+  EXPECT_EQ(loop_of_tag(Pieces{"area1", "pida"}), "area1");
+  EXPECT_EQ(loop_of_tag(Pieces{"area1", "reactor"}), "area1reactor");
+  EXPECT_EQ(loop_of_tag(Pieces{"pisrv01", "boiler"}), "pisrv01boiler");
+  EXPECT_EQ(loop_of_tag(Pieces{"pid"}), "pid");
+  EXPECT_EQ(loop_of_tag(Pieces{}), "");
+}
+
 }  // namespace
 }  // namespace workbench

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/workbench/column_names.hpp"
@@ -201,6 +202,42 @@ TEST_F(SignalChoice, AMissingColumnListsWhatThereIs) {
   EXPECT_EQ(chosen(), "u=FIC101.OP y=FIC101.PV");
   given({"A.OP", "B.PV"});
   EXPECT_TRUE(has(refusal(), "of one tag"));
+}
+
+TEST_F(SignalChoice, NoPrefixMakesOneLoopOfTwo) {
+  for (const std::string front :
+       {"", "Area1.", "Area1/", "\\\\SRV\\", "U1:", "[PLC]", "Channel1.PLC.", "Unit 1 ",
+        "01-", "10", "export_", "Root."}) {
+    for (const auto& [u, y] : {std::pair<std::string, std::string>("FIC101", "TIC205"),
+                               {"FIC-1014", "FIC-1015"},
+                               {"FIC101.PID", "TIC205.PID"}}) {
+      given({front + u + ".OP", front + y + ".PV"});
+      EXPECT_TRUE(has(refusal(), "of one tag")) << refusal();
+      EXPECT_EQ(chosen(test::named("#1", "#2")),
+                "u=" + front + u + ".OP y=" + front + y + ".PV");
+    }
+  }
+  given({"Area1/TIC205/PV", "Area1/TIC205/SP", "Area1/FIC101/OP"});
+  EXPECT_TRUE(has(refusal(), "of one tag")) << refusal();
+}
+
+TEST_F(SignalChoice, SaysThatTheOnlyOneLeftIsOfAnotherLoop) {
+  given({"FIC101.OP", "TIC205.PV"});
+  const ColumnNames names = test::named("FIC101.OP");
+  const std::vector<PickedSignal> picked =
+      choose_signals(signals_, names, {Column::u, Column::y}, {file_});
+  EXPECT_EQ(elimination_note(picked, signals_),
+            "taken for lack of any other: y 'TIC205.PV'");
+}
+
+TEST_F(SignalChoice, BlocksAndInstrumentsOfOneNumberAreOneLoop) {
+  for (const auto& [u, y] : {std::pair("Area1.FIC101.PIDA.OP", "Area1.FIC101.DACA.PV"),
+                             {"FIC-400C/PID1/OUT", "FIC-400C/AI1/PV"},
+                             {"Area1.FIC101.OP", "Area1.FT101.PV"},
+                             {"Loop1.Controller.OP", "Loop1.Sensor.PV"}}) {
+    given({u, y});
+    EXPECT_EQ(chosen(), std::string("u=") + u + " y=" + y);
+  }
 }
 
 TEST_F(SignalChoice, NamesFitWithoutCaseUnitPrefixAndByNumber) {

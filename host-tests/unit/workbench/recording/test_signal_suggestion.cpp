@@ -36,6 +36,8 @@ TEST(SignalSuggestion, TheOnlyOutputAndTheOnlyMeasuredValue) {
 TEST(SignalSuggestion, NotOfTwoLoops) {
   EXPECT_EQ(only({"FIC101.OP", "TIC102.PV"}), "");
   EXPECT_EQ(only({"FT_115", "LV_106"}), "");
+  EXPECT_EQ(only({"U1:FIC101.OP", "U1:TIC102.PV"}), "");
+  EXPECT_EQ(only({"10FIC101.OP", "10TIC102.PV"}), "");
   EXPECT_EQ(only({"Feed flow OP", "Reactor level PV"}), "");
   EXPECT_EQ(only({"OP", "FIC101.PV", "FIC102.PV"}), "");
 }
