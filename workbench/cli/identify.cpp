@@ -7,7 +7,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/identification_text.hpp"
 #include "workbench/cli/recording_options.hpp"
-#include "workbench/model/base/joined.hpp"
+#include "workbench/model/base/one_loop.hpp"
 
 namespace workbench::cli {
 namespace {
@@ -44,13 +44,15 @@ int identify(const Options& options) {
   for (const RecordingSource& one : sources_of(options.source, paths)) {
     recordings.push_back(read(one));
   }
-  check_units(recordings);
+  check_one_loop(recordings);
+  const std::vector<std::string> overlaps = overlaps_of(recordings);
   Recording recording = recordings.front();
   for (std::size_t i = 1; i < recordings.size(); ++i) {
     for (const std::string& note : recordings[i].resampling.notes) {
       recording.resampling.notes.push_back(recordings[i].name + ": " + note);
     }
   }
+  for (const std::string& note : overlaps) recording.resampling.notes.push_back(note);
   const Analysis analysis = identify_with_progress(std::move(recordings), options.source);
   if (options.json) {
     for (const std::string& note : recording.resampling.notes) complain(note);

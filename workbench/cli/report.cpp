@@ -10,7 +10,7 @@
 #include "workbench/cli/output_file.hpp"
 #include "workbench/cli/recording_options.hpp"
 #include "workbench/cli/unused_columns.hpp"
-#include "workbench/model/base/joined.hpp"
+#include "workbench/model/base/one_loop.hpp"
 #include "workbench/model/tell/reconciled.hpp"
 #include "workbench/report/model_page.hpp"
 #include "workbench/report/report_page.hpp"
@@ -44,8 +44,11 @@ std::string identification(const Options& options) {
   if (!options.model.judging.empty()) throw UsageError("--validate needs --model");
   complain_about_loads(options.model.source);
   std::vector<Recording> recordings = recordings_for(options.model, Column::y);
-  check_units(recordings);
-  const Recording recording = recordings.front();
+  check_one_loop(recordings);
+  Recording recording = recordings.front();
+  for (const std::string& note : overlaps_of(recordings)) {
+    recording.resampling.notes.push_back(note);
+  }
   std::vector<std::string> others;
   for (std::size_t i = 1; i < recordings.size(); ++i)
     others.push_back(recordings[i].name);

@@ -82,6 +82,7 @@ Recording read_table(const CsvSource& source) {
     read_streams(source, out);
   }
   if (ts) out.period_s = *ts;
+  if (source.options.names.names_signals()) out.loop.clear();
   return out;
 }
 

@@ -139,11 +139,16 @@ std::optional<InstrumentTag> instrument_tag(const std::vector<std::string>& piec
   return out;
 }
 
-std::string loop_of_tag(std::span<const std::string> pieces) {
+std::optional<std::string> loop_of_instrument(std::span<const std::string> pieces) {
   for (std::size_t at = pieces.size(); at-- > 0;) {
     const Instrument found = instrument_at(pieces, at);
     if (found.end > 0) return joined(pieces.first(at)) + found.loop;
   }
+  return std::nullopt;
+}
+
+std::string loop_of_tag(std::span<const std::string> pieces) {
+  if (const std::optional<std::string> loop = loop_of_instrument(pieces)) return *loop;
   while (pieces.size() > 1 && is_role(pieces.back())) {
     pieces = pieces.first(pieces.size() - 1);
   }

@@ -23,11 +23,16 @@ struct InstrumentTag {
 [[nodiscard]] std::optional<InstrumentTag> instrument_tag(
     const std::vector<std::string>& pieces);
 
-/// The loop that the pieces of a tag name, as a key. Of "area1", "fic", "101", "pida"
-/// that is area1f101: what stands before the last instrument, its measured variable and
+/// The loop of the last instrument among pieces, as a key. Of "area1", "fic", "101",
+/// "pida" that is area1f101: what stands before the instrument, its measured variable and
 /// its number with what counts behind it; FT-101 is of the loop of FIC-101, FIC-101-B
-/// not. Where no piece is an instrument, all pieces but the last that are words for a
-/// part of any loop (PIDA, DACA, controller, sensor). "" only of no pieces.
+/// not.
+[[nodiscard]] std::optional<std::string> loop_of_instrument(
+    std::span<const std::string> pieces);
+
+/// The loop that the pieces of a tag name, as a key: that of their instrument; where
+/// there is none, all pieces but the last that are words for a part of any loop (PIDA,
+/// DACA, controller, sensor). "" only of no pieces.
 [[nodiscard]] std::string loop_of_tag(std::span<const std::string> pieces);
 
 }  // namespace workbench

@@ -106,6 +106,9 @@ struct Recording {
   std::array<std::string, kColumns> units;  ///< by Column, as in the file; "" unknown
   /// "u FIC101.OP, y FIC101.PV": what the file calls them; "" where it is u and y, too.
   std::string tags;
+  /// Loop of the instrument of y (instrument_tag.hpp), where the file alone says which
+  /// columns are u and y; "": unknown.
+  std::string loop;
   /// Of one joined from several (model/joined.hpp), in order and without a sample between
   /// them; `t` runs on as if there were no pause. Empty: all of it in one go.
   std::vector<Piece> pieces;

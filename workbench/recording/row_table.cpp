@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/column_name.hpp"
+#include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/rows_without.hpp"
 
@@ -306,10 +307,17 @@ std::string tags_of(const std::vector<SignalRows>& signals) {
   return own_names ? tags : "";
 }
 
+std::string loop_of(const std::vector<SignalRows>& signals) {
+  const auto y = std::ranges::find(signals, Column::y, &SignalRows::column);
+  if (y == signals.end()) return {};
+  return loop_of_instrument(column_name(y->name).pieces).value_or("");
+}
+
 }  // namespace
 
 void resample(RowTable&& table, const std::string& file, Recording& out) {
   out.tags = tags_of(table.signals);
+  out.loop = loop_of(table.signals);
   TimedRows rows;
   rows.t = std::move(table.t);
   rows.line = std::move(table.line);

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "workbench/model/base/joined.hpp"
+#include "workbench/model/base/one_loop.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/recording/source.hpp"
 #include "workbench/screen/found_files.hpp"
@@ -238,7 +238,7 @@ class Screener {
       }
     }
     try {
-      check_units(recordings);
+      check_one_loop(recordings);
     } catch (const InputError& error) {
       recordings.clear();
       first_error = error.what();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "workbench/model/base/blocks.hpp"
+#include "workbench/model/base/one_loop.hpp"
 #include "workbench/model/base/thinned.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
@@ -62,25 +63,6 @@ Recording cut_up(const Recording& recording) {
         " pieces starts from a state of its own");
   }
   return out;
-}
-
-void check_unit(const std::string& what, const Recording& a, const std::string& unit_a,
-                const Recording& b, const std::string& unit_b) {
-  if (unit_a.empty() || unit_b.empty() || unit_a == unit_b) return;
-  throw InputError(
-      b.name, 0, 0, what + " in " + quoted(unit_a) + ", as " + a.name + " has it",
-      quoted(unit_b), "give recordings of one loop in the same units, or each by itself");
-}
-
-void check_units_of(const Recording& a, const Recording& b) {
-  for (const Column column : {Column::u, Column::y, Column::x}) {
-    check_unit(std::string(name_of(column)), a, a.unit(column), b, b.unit(column));
-  }
-  for (const Load& load : a.loads) {
-    for (const Load& other : b.loads) {
-      if (other.name == load.name) check_unit(load.name, a, load.unit, b, other.unit);
-    }
-  }
 }
 
 // How many samples of `recording` are one of the slowest.
@@ -219,12 +201,6 @@ Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
   return out;
 }
 
-void check_units(const std::vector<Recording>& recordings) {
-  for (const Recording& one : recordings) {
-    for (const Recording& other : recordings) check_units_of(one, other);
-  }
-}
-
 Recording joined(std::vector<Recording> fitted, std::vector<Recording> judging) {
   if (fitted.size() == 1 && judging.empty() && fitted[0].resampling.gaps.empty()) {
     return std::move(fitted[0]);
@@ -233,7 +209,8 @@ Recording joined(std::vector<Recording> fitted, std::vector<Recording> judging) 
   const std::size_t first_judging = fitted.size();
   std::vector<Recording> all = std::move(fitted);
   for (Recording& one : judging) all.push_back(std::move(one));
-  check_units(all);
+  check_one_loop(all);
+  const std::vector<std::string> overlaps = overlaps_of(all);
   const Recording& slowest = *std::max_element(
       all.begin(), all.end(),
       [](const Recording& a, const Recording& b) { return a.period_s < b.period_s; });
@@ -254,6 +231,8 @@ Recording joined(std::vector<Recording> fitted, std::vector<Recording> judging) 
       append(out, std::move(next));
     }
   }
+  out.resampling.notes.insert(out.resampling.notes.end(), overlaps.begin(),
+                              overlaps.end());
   out.name = name;
   out.period_s = slowest.period_s;
   out.resampling.gaps.clear();

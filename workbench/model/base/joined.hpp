@@ -16,8 +16,8 @@ namespace workbench {
 /// setpoint, the stem position and each load stay where all recordings have them; the
 /// notes of all are in `resampling`.
 ///
-/// Throws InputError naming two files whose units of u, y, x or a load differ where both
-/// say one, or whose sample periods are no multiples of each other.
+/// Throws InputError as check_one_loop(), and naming two files whose sample periods are
+/// no multiples of each other. What overlaps_of() them is in the notes.
 [[nodiscard]] Recording joined(std::vector<Recording> fitted,
                                std::vector<Recording> judging = {});
 
@@ -37,8 +37,5 @@ struct Parts {
 
 /// Only the samples of `pieces`, in order, one piece behind the other.
 [[nodiscard]] Recording cut_to(const Recording& recording, std::vector<Piece> pieces);
-
-/// Throws InputError naming two files as joined() does for their units.
-void check_units(const std::vector<Recording>& recordings);
 
 }  // namespace workbench

@@ -67,6 +67,7 @@ Recording thinned(const Recording& recording, std::size_t count) {
   out.name = recording.name;
   out.units = recording.units;
   out.tags = recording.tags;
+  out.loop = recording.loop;
   out.start = recording.start;
   out.resampling = recording.resampling;
   out.resampling.missing /= count;

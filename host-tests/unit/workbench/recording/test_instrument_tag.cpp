@@ -54,6 +54,12 @@ TEST(LoopOfTag, IsTheVariableAndNumberBehindWhatStandsBefore) {
   }
 }
 
+TEST(LoopOfTag, OfAnInstrumentIsToldFromOthers) {
+  EXPECT_EQ(loop_of_instrument(Pieces{"area1", "fic101", "op"}), "area1f101");
+  EXPECT_FALSE(loop_of_instrument(Pieces{"loop1", "controller"}));
+  EXPECT_FALSE(loop_of_instrument(Pieces{}));
+}
+
 TEST(LoopOfTag, NoInstrumentLeavesAllButThePartsOfAnyLoop) {
   EXPECT_EQ(loop_of_tag(Pieces{"loop1", "controller"}), "loop1");
   EXPECT_EQ(loop_of_tag(Pieces{"area1", "pida"}), "area1");

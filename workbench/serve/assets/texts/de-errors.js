@@ -51,6 +51,8 @@ export default {
   '{0} loops: {1}': '{0} Regelkreise: {1}',
   'the columns {0}': 'die Spalten {0}',
   'a constant {0}': 'ein konstantes {0}',
+  'the loop of {0}: {1}': 'den Kreis von {0}: {1}',
+  'give each loop by itself; where both are one, name the columns with --u and --y': 'geben Sie jeden Kreis für sich; sind beide einer, nennen Sie die Spalten mit --u und --y',
   '{0}, which may be {1} or {2}': '{0}, was {1} oder {2} sein kann',
   'a picture ({0})': 'ein Bild ({0})',
   'another document': 'ein anderes Dokument',

@@ -23,6 +23,7 @@ export default {
   '{0} left out: each of the {1} pieces starts from a state of its own': 'Ausgelassen: {0}; jedes der {1} Stücke beginnt in einem eigenen Zustand',
   '{0} not judged: without samples for {1} s in all, so that the value before says nothing of what happened': 'Nicht beurteilt: {0}, zusammen {1} s ohne Werte, sodass der Wert davor nichts über die Zeit sagt',
   'not used: {0}. What moves the output as well is a load; to try one, open the file again and choose its columns': 'nicht benutzt: {0}. Was den Ausgang außerdem bewegt, ist eine Last; um eine zu versuchen, öffnen Sie die Datei noch einmal und wählen ihre Spalten',
+  '{0} and {1} overlap in time by {2} s: what both hold counts twice; export each time once': '{0} und {1} überschneiden sich um {2} s: Was beide enthalten, zählt doppelt; exportieren Sie jede Zeit einmal',
   'judged between the long gaps: {0}': 'beurteilt zwischen den langen Lücken: {0}',
   '{0} between long gaps left out, too short to be judged: {1}': '{0} zwischen langen Lücken ausgelassen, zu kurz zum Beurteilen: {1}',
   '{0} to {1} s': '{0} bis {1} s',
