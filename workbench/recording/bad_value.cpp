@@ -163,18 +163,22 @@ double QualityScale::add(std::string_view cell) {
 Quality QualityScale::meaning(double code) const {
   constexpr std::size_t kNearlyAll = 10;  // all but one of so many
   bool bad = false;
+  bool uncertain = false;
   if (marks_bad_) {
     bad = flags_only_ && code == 1;
   } else if (most_ >= kOpcUaUncertain) {
     bad = code >= kOpcUaBad || (has_192_ && is_bad_beside_192(code));
+    uncertain = code >= kOpcUaUncertain;
   } else if (most_ >= kGoodCode) {
     bad = has_192_ ? is_bad_beside_192(code) : code < kUncertainCode;
+    uncertain = code >= kUncertainCode && code < kGoodCode;
   } else if (kNearlyAll * (cells_ - zeros_) <= cells_) {
     bad = code != 0 && code != kGoodCode;
   } else {
     bad = code == 0;
   }
-  return bad ? Quality::kBad : Quality::kGood;
+  if (bad) return Quality::kBad;
+  return uncertain ? Quality::kUncertain : Quality::kGood;
 }
 
 }  // namespace workbench

@@ -36,16 +36,16 @@ namespace workbench {
 [[nodiscard]] bool reads_as_word(std::string_view cell);
 
 /// How far a quality cell lets its value count.
-enum class Quality : std::uint8_t { kGood, kBad };
+enum class Quality : std::uint8_t { kGood, kUncertain, kBad };
 
-/// Quality cells of one signal. Words (quality_words.hpp): Good, OK, Valid, Uncertain,
-/// Questionable, Bonne, 正常 are good, as are unknown ones, which are counted; Bad, Poor,
-/// False, Mauvaise, 異常 and what says_no_value() are bad. Numbers, 0x80000000 too, are
-/// read on the scale that the whole column shows: OPC (192 good, 64 to 191 uncertain:
-/// kept, below bad; beside 192 Ignition's 256 to 1023 are bad, too), OPC UA (0 good, from
-/// 2147483648 bad; so are the negative numbers that 32 bits with a sign make of these;
-/// where 192 is among them, 0 is bad), percent or 1 good and 0 bad; where nine of ten are
-/// zeros, 0 is good and the others are bad.
+/// Quality cells of one signal. Words (quality_words.hpp): Good, OK, Valid, Bonne, 正常
+/// are good, as are unknown ones, which are counted; Uncertain, Questionable and the like
+/// uncertain; Bad, Poor, False, Mauvaise, 異常 and what says_no_value() bad. Numbers,
+/// 0x80000000 too, are read on the scale that the whole column shows: OPC (192 good, 64
+/// to 191 uncertain, below bad; beside 192 Ignition's 256 to 1023 are bad, too), OPC UA
+/// (0 good, from 1073741824 uncertain, from 2147483648 bad; so are the negative numbers
+/// that 32 bits with a sign make of these; where 192 is among them, 0 is bad), percent or
+/// 1 good and 0 bad; where nine of ten are zeros, 0 is good and the others are bad.
 class QualityScale {
  public:
   /// `marks_bad`: 1 and True mark what is bad (quality_words.hpp); a column with other

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workbench/recording/column_name.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/rows_without.hpp"
@@ -117,10 +118,10 @@ void refuse_doubtful(std::span<const SignalRows> signals, bool points_group) {
 void take_out_bad(RowTable& table, const TableContext& context) {
   for (SignalRows& signal : table.signals) {
     for (std::size_t i = 0; i < signal.quality.size(); ++i) {
-      if (std::isnan(signal.values[i]) ||
-          signal.scale.meaning(signal.quality[i]) == Quality::kGood) {
-        continue;
-      }
+      if (std::isnan(signal.values[i])) continue;
+      const Quality quality = signal.scale.meaning(signal.quality[i]);
+      signal.uncertain += quality == Quality::kUncertain;
+      if (quality != Quality::kBad) continue;
       signal.values[i] = kNothing;
       if (signal.bad++ == 0) signal.bad_word = kBadQuality;
     }
@@ -158,6 +159,11 @@ void note_words(const SignalRows& signal, ResampleReport& report) {
     report.notes.push_back(counted(prefixed, "cell", "cells") + " of " +
                            quoted(signal.name) + " in " + quoted(signal.scaled.unit()) +
                            ": brought to the unit of the others");
+  }
+  if (signal.uncertain > 0) {
+    report.notes.push_back(
+        filled("{0} of {1} marked as questionable: taken as they are",
+               {counted(signal.uncertain, "value", "values"), quoted(signal.name)}));
   }
   if (signal.scale.unknown().total() > 0) {
     report.notes.push_back("unknown qualities of " + quoted(signal.name) +

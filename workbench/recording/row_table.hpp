@@ -29,6 +29,7 @@ struct SignalRows {
   QualityScale scale;
   std::size_t bad = 0;                 ///< cells that said "no value"
   std::string bad_word;                ///< the first of them
+  std::size_t uncertain = 0;           ///< values that are kept though questionable
   WordCounts strangers;                ///< of bad: words that nobody knows
   std::optional<InputError> stranger;  ///< to be thrown if they are too many
   MarkDoubt marks;
@@ -70,12 +71,12 @@ void refuse_doubtful(std::span<const SignalRows> signals, bool points_group);
 void refuse_fractions(std::span<const SignalRows> signals,
                       std::optional<std::size_t> behind_time);
 
-/// Values of bad quality become gaps. Throws InputError when more than half of the cells
-/// of a required signal say "no value".
+/// Values of bad quality become gaps, uncertain ones are counted. Throws InputError when
+/// more than half of the cells of a required signal say "no value".
 void take_out_bad(RowTable& table, const TableContext& context);
 
-/// Notes unknown words among the values and qualities of a signal, brackets and other
-/// prefixes of units.
+/// Notes unknown words among the values and qualities of a signal, values of uncertain
+/// quality, brackets and other prefixes of units.
 void note_words(const SignalRows& signal, ResampleReport& report);
 
 /// Drops rows that repeat the time of the row before; they only supply values that one

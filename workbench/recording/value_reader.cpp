@@ -24,6 +24,12 @@ bool says_bad(std::string_view cell) {
   return found && found->word == QualityWord::kBad && number.add(found->number);
 }
 
+// 0.0 ?: a number that its own word calls questionable.
+bool says_uncertain(std::string_view cell) {
+  const std::optional<NumberWithQuality> found = number_with_quality(cell);
+  return found && found->word == QualityWord::kUncertain;
+}
+
 }  // namespace
 
 void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& signal) {
@@ -34,6 +40,7 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
     const NumberReader::Result result = read(cell, value, unit);
     if (result == NumberReader::Result::kOk) {
       scale_to_unit(row, slot, signal, unit, value);
+      if (!plain_ && says_uncertain(cell)) ++signal.uncertain;
       const bool bracketed = !plain_ && cell.front() == '(';
       if (bracketed && !signal.bracket) signal.bracket = bracket_error(row, slot, signal);
       signal.brackets.add(value, bracketed);

@@ -62,10 +62,10 @@ Quality second_of(const std::string& other, const std::string& cell) {
 
 TEST(QualityScale, TakesTheScaleThatTheColumnShows) {
   EXPECT_EQ(second_of("Good", "Bad"), Quality::kBad);
-  EXPECT_EQ(second_of("Good", "Uncertain"), Quality::kGood);
+  EXPECT_EQ(second_of("Good", "Uncertain"), Quality::kUncertain);
   EXPECT_EQ(second_of("192", "0"), Quality::kBad);
   EXPECT_EQ(second_of("192", "24"), Quality::kBad);
-  EXPECT_EQ(second_of("192", "64"), Quality::kGood);
+  EXPECT_EQ(second_of("192", "64"), Quality::kUncertain);
   EXPECT_EQ(second_of("1", "0"), Quality::kBad);
   EXPECT_EQ(second_of("100", "0"), Quality::kBad);
   EXPECT_EQ(second_of("0", "0"), Quality::kGood);
@@ -73,7 +73,7 @@ TEST(QualityScale, TakesTheScaleThatTheColumnShows) {
   EXPECT_EQ(second_of("0", "2147483648"), Quality::kBad);
   EXPECT_EQ(second_of("Good", ""), Quality::kGood);
   EXPECT_EQ(second_of("0x00000000", "0x80000000"), Quality::kBad);
-  EXPECT_EQ(second_of("0x80000000", "0x40000000"), Quality::kGood);
+  EXPECT_EQ(second_of("0x80000000", "0x40000000"), Quality::kUncertain);
 }
 
 TEST(QualityScale, KnowsLettersAndCountsWhatItDoesNotKnow) {
@@ -82,8 +82,11 @@ TEST(QualityScale, KnowsLettersAndCountsWhatItDoesNotKnow) {
     EXPECT_EQ(second_of("G", bad), known ? Quality::kBad : Quality::kGood) << bad;
   }
   QualityScale scale;
-  for (const char* cell : {"Good", "U", "QUES", "G", "P", "P", ""}) {
+  for (const char* cell : {"Good", "G", "P", "P", ""}) {
     EXPECT_EQ(scale.meaning(scale.add(cell)), Quality::kGood) << cell;
+  }
+  for (const char* cell : {"U", "QUES", "?"}) {
+    EXPECT_EQ(scale.meaning(scale.add(cell)), Quality::kUncertain) << cell;
   }
   EXPECT_EQ(scale.unknown().list(), "'P' 2");
 }
@@ -117,9 +120,10 @@ TEST(QualityScale, KnowsTheCodesOfIgnition) {
   for (const char* bad : {"0", "500", "600", "-2147483132"}) {
     EXPECT_EQ(second_of("192", bad), Quality::kBad) << bad;
   }
-  for (const char* good : {"192", "216", "64", "448"}) {
+  for (const char* good : {"192", "216", "448"}) {
     EXPECT_EQ(second_of("192", good), Quality::kGood) << good;
   }
+  EXPECT_EQ(second_of("192", "64"), Quality::kUncertain);
 }
 
 TEST(QualityScale, KnowsSignedCodesOfOpcUa) {

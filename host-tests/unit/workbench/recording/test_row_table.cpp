@@ -150,5 +150,19 @@ TEST(RowTable, DecimalsThatACommaCutOffAreRefused) {
   EXPECT_EQ(parse_csv(text("Time,OP,PV,,") + "40,41.5,07,60,1\n", "a.csv").y[1], 7);
 }
 
+TEST_F(RowTables, KeepsQuestionableValuesAndSaysSo) {
+  given({0, 1, 2}, {1, 2, 3}, {4, 5, 6});
+  SignalRows& y = table_.signals[1];
+  for (const char* cell : {"Good", "Uncertain", "Bad"}) {
+    y.quality.push_back(y.scale.add(cell));
+  }
+  take_out_bad(table_, context_);
+  EXPECT_EQ(y.values[1], 5);
+  EXPECT_TRUE(std::isnan(y.values[2]));
+  note_words(y, report_);
+  ASSERT_EQ(report_.notes.size(), 1U);
+  EXPECT_EQ(report_.notes[0], "1 value of 'y' marked as questionable: taken as they are");
+}
+
 }  // namespace
 }  // namespace workbench

@@ -24,6 +24,7 @@ export default {
   '{0} not judged: without samples for {1} s in all, so that the value before says nothing of what happened': 'Nicht beurteilt: {0}, zusammen {1} s ohne Werte, sodass der Wert davor nichts über die Zeit sagt',
   'not used: {0}. What moves the output as well is a load; to try one, open the file again and choose its columns': 'nicht benutzt: {0}. Was den Ausgang außerdem bewegt, ist eine Last; um eine zu versuchen, öffnen Sie die Datei noch einmal und wählen ihre Spalten',
   '{0} and {1} overlap in time by {2} s: what both hold counts twice; export each time once': '{0} und {1} überschneiden sich um {2} s: Was beide enthalten, zählt doppelt; exportieren Sie jede Zeit einmal',
+  '{0} of {1} marked as questionable: taken as they are': '{0} von {1} als fraglich gekennzeichnet: genommen, wie sie sind',
   'judged between the long gaps: {0}': 'beurteilt zwischen den langen Lücken: {0}',
   '{0} between long gaps left out, too short to be judged: {1}': '{0} zwischen langen Lücken ausgelassen, zu kurz zum Beurteilen: {1}',
   '{0} to {1} s': '{0} bis {1} s',
