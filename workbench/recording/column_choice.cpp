@@ -121,7 +121,13 @@ class ColumnChooser {
       if (!bare || i == signal + 1) bare = i;
     }
     if (all == 1 || (bare && *bare == signal + 1)) return bare;
-    return std::nullopt;
+    // A status left of the only value, beside another column of qualities.
+    const bool left = signal > 0 && columns_[signal - 1].name.part == Part::kQuality &&
+                      columns_[signal - 1].name.tag.empty();
+    const auto measured = std::ranges::count_if(candidates_, [](const NamedSignal& c) {
+      return c.measured && c.name.part != Part::kQuality && c.name.part != Part::kTime;
+    });
+    return left && measured == 1 ? std::optional(signal - 1) : std::nullopt;
   }
 
   [[nodiscard]] bool is_plain() const {

@@ -12,7 +12,7 @@
 #include "workbench/recording/labview_export.hpp"
 #include "workbench/recording/later_texts.hpp"
 #include "workbench/recording/line_table.hpp"
-#include "workbench/recording/quality_words.hpp"
+#include "workbench/recording/quality_columns.hpp"
 
 namespace workbench {
 namespace {
@@ -113,27 +113,6 @@ char named_separator(std::string_view line) {
   return line.size() == 5 && line.starts_with("sep=") ? line[4]
          : line == "sep="                             ? '\t'
                                                       : '\0';
-}
-
-// A column Q is of flows where its numbers are no codes.
-bool holds_qualities(const LineTable& table, std::size_t column) {
-  for (std::size_t i = table.first_row(); table.has_rows() && i < table.lines(); ++i) {
-    if (column >= table.cells(i).size()) continue;
-    const std::string_view cell = table.cells(i)[column].text;
-    const std::optional<double> number = as_number(cell);
-    if (number ? !is_quality_code(*number) : kind_of(cell) == CellKind::kNumber) {
-      return false;
-    }
-  }
-  return true;
-}
-
-void check_quality(const LineTable& table, std::size_t column, ColumnName& name) {
-  const bool is_q = name.part == Part::kQuality && name.pieces.back() == "q";
-  if (!is_q || holds_qualities(table, column)) return;
-  name.part = Part::kNone;
-  name.tag.clear();
-  name.prefix.clear();
 }
 
 // "NO.", "Time", "ms", "degC", "V" under "Number", "Date&Time", "ms", "CH1", "CH2": units
@@ -248,7 +227,9 @@ class LayoutFinder {
       out_.columns[c].held = table.held(c);
       out_.columns[c].first = table.first(c);
       out_.columns[c].counts = table.counts(c);
-      check_quality(table, c, out_.columns[c].name);
+    }
+    settle_qualities(table, out_.columns);
+    for (std::size_t c = 0; c < out_.columns.size(); ++c) {
       const Part part = out_.columns[c].name.part;
       const bool is_plain = table.content(c) == Content::kNumber && part != Part::kTime &&
                             part != Part::kTag;

@@ -10,8 +10,12 @@
 namespace workbench {
 
 /// True for the name of a column that says how good a value is: quality, status, IsGood,
-/// Bad, Qualité, 品質, ...; `key` as column_name.hpp makes keys.
+/// Bad, Qualité, 品質, DataQuality, PointStatus, ...; `key` as column_name.hpp makes
+/// keys.
 [[nodiscard]] bool is_quality_name(std::string_view key);
+
+/// Of these, a name that means nothing else: not Q, which may be a flow, nor AirQuality.
+[[nodiscard]] bool is_sure_quality_name(std::string_view key);
 
 /// True for the name of a column whose 1 or True marks what is not good: Bad, Error,
 /// Questionable. `pieces` as ColumnName::pieces; the last one counts.
@@ -20,8 +24,8 @@ namespace workbench {
 /// What a word of a quality column says.
 enum class QualityWord : std::uint8_t { kUnknown, kGood, kUncertain, kBad };
 
-/// In any case, with or without marks. Those of says_no_value() are not among the bad
-/// ones here.
+/// In any case, with or without marks; of several in braces, {alarm,stale}, the worst.
+/// Those of says_no_value() are not among the bad ones here.
 [[nodiscard]] QualityWord quality_word(std::string_view word);
 
 /// A number with the word for its quality behind a blank: 45.2 G, 45.2 (Good).

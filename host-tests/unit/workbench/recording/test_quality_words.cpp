@@ -10,7 +10,16 @@ TEST(QualityWords, NamesOfQualityColumns) {
                           "qualit\xC3\xA9", "ステータス"}) {
     EXPECT_TRUE(is_quality_name(key)) << key;
   }
-  EXPECT_FALSE(is_quality_name("pv"));
+  for (const char* key :
+       {"dataquality", "opcqualitycode", "pointstatus", "valuestatus"}) {
+    EXPECT_TRUE(is_quality_name(key)) << key;
+  }
+  for (const char* key : {"pv", "pumpstatus", "equality1"}) {
+    EXPECT_FALSE(is_quality_name(key)) << key;
+  }
+  EXPECT_TRUE(is_sure_quality_name("dataquality"));
+  EXPECT_FALSE(is_sure_quality_name("airquality"));
+  EXPECT_FALSE(is_sure_quality_name("q"));
   EXPECT_TRUE(marks_bad({"f1", "pv", "isbad"}));
   EXPECT_FALSE(marks_bad({"bad", "quality"}));
   EXPECT_FALSE(marks_bad({}));
@@ -24,7 +33,7 @@ TEST(QualityWords, WordsInSeveralLanguages) {
     EXPECT_EQ(quality_word(word), QualityWord::kBad) << word;
   }
   EXPECT_EQ(quality_word("questionable"), QualityWord::kUncertain);
-  EXPECT_EQ(quality_word("stale"), QualityWord::kUnknown);
+  EXPECT_EQ(quality_word("green"), QualityWord::kUnknown);
 }
 
 TEST(QualityWords, Yes) {
@@ -53,10 +62,15 @@ TEST(QualityWords, BehindANumber) {
 }
 
 TEST(QualityWords, OfBuildingSystems) {
-  for (const char* word : {"{fault}", "{down}", "NOK", "Fault"}) {
+  for (const char* word : {"{fault}", "{down}", "NOK", "Fault", "{stale}", "{null}",
+                           "{disabled}", "{fault,down}", "{alarm,stale}", "{down} @ 8"}) {
     EXPECT_EQ(quality_word(word), QualityWord::kBad) << word;
   }
-  EXPECT_EQ(quality_word("{ok}"), QualityWord::kGood);
+  for (const char* word :
+       {"{ok}", "{ }", "{alarm}", "{overridden}", "{alarm,unackedAlarm}", "{ok} @ def"}) {
+    EXPECT_EQ(quality_word(word), QualityWord::kGood) << word;
+  }
+  EXPECT_EQ(quality_word("{alarm,xyz}"), QualityWord::kUnknown);
   EXPECT_TRUE(is_quality_name("trendflags"));
   EXPECT_TRUE(is_quality_name("statusflags"));
 }
