@@ -265,5 +265,16 @@ TEST(ColumnChoice, ADateAtMidnightHasItsClockBesideIt) {
   EXPECT_EQ(time.clock, 1U);
 }
 
+TEST(CsvLayout, CommasOfNumbersSeparateNothingBelowALineWithoutNames) {
+  for (const char* first : {"", "Interval: 500 ms\n", "Rate 2 Hz\n"}) {
+    std::string text = std::string(first) + "Stellgrad;Istwert\n";
+    for (int i = 0; i < 30; ++i) text += "52," + std::to_string(i % 10) + ";110,4\n";
+    const CsvLayout layout = layout_of(text, "f.csv", {{Column::t, Column::u}, {}});
+    EXPECT_EQ(layout.separator, ';') << first;
+    ASSERT_EQ(layout.columns.size(), 2U) << first;
+    EXPECT_EQ(layout.columns[1].name.text, "Istwert") << first;
+  }
+}
+
 }  // namespace
 }  // namespace workbench
