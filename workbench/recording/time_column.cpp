@@ -8,6 +8,7 @@
 #include "workbench/recording/date_count.hpp"
 #include "workbench/recording/date_digits.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/rounded_count.hpp"
 #include "workbench/recording/time_spelling.hpp"
 
 namespace workbench {
@@ -236,9 +237,7 @@ bool TimeColumn::take_digits(TimesOfRows& out) {
   std::optional<ClockDigits> clock = clock_digits(seconds_, unit_s_ == 60);
   if (!clock) return false;
   if (clock->open && unit_s_ == 0) {
-    out.doubt = {"times with one meaning", "the digits of a clock, MMSS or HHMM",
-                 "say after the name whether the last two are seconds or minutes: --time "
-                 "\"NAME [s]\" or --time \"NAME [min]\""};
+    out.doubt = doubt_of_clock("the digits of a clock, MMSS or HHMM");
   }
   out.notes.push_back("the times are taken as the digits of a clock, " + clock->form);
   out.t = std::move(clock->t);
@@ -258,11 +257,15 @@ void TimeColumn::take_bare(TimesOfRows& out, double& scale) {
     return;
   }
   const double step = median_step(seconds_);
-  if (is_step_in_days(step)) {
+  if (is_step_in_days(step) || are_rounded_days(seconds_)) {
     scale = kDayS;
     out.notes.emplace_back(
         "the times are taken as days: as seconds they would be less than a thousandth "
         "apart; where they are, give --ts SECONDS");
+    return;
+  }
+  if (!seconds_only_ && may_be_parts_of_day(seconds_)) {
+    out.doubt = doubt_of_days(number(step));
     return;
   }
   out.bare_step_s = step;
@@ -281,7 +284,7 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
                  number(seconds_.front(), 9) + " and numbers " +
                      number(median_step(seconds_)) +
                      " apart, which may be seconds of a day or days as Excel counts them",
-                 "say which after the name: --time \"NAME [s]\" or --time \"NAME [d]\""};
+                 doubt_of_days("").advice};
     return;
   }
   double scale = count ? count->unit_s : unit_s_ > 0 ? unit_s_ : 1;
@@ -295,6 +298,7 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
     out.t = std::move(seconds_);
     return;
   }
+  if (!count && take_rounded_count(seconds_, scale, out)) return;
   const double first = seconds_.front();
   const double origin = count ? first : 0;
   if (count) {
@@ -319,6 +323,10 @@ bool TimeColumn::minutes_and_seconds(TimesOfRows& out) const {
   if (decimals_ || *std::max_element(seconds_.begin(), seconds_.end()) > kDayS) {
     out.notes.emplace_back("the times are taken as minutes and seconds");
     return true;
+  }
+  if (elapsed_) {
+    out.doubt = doubt_of_clock("time elapsed in two numbers, min:s or h:min");
+    return false;
   }
   const bool repeat =
       std::adjacent_find(seconds_.begin(), seconds_.end()) != seconds_.end();

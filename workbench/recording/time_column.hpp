@@ -44,6 +44,8 @@ class TimeColumn {
   /// The unit is what the user says: of a clock with two numbers, and of numbers that are
   /// its digits, it is the unit of the last, s or min.
   void unit_is_given() { unit_given_ = true; }
+  /// The header says that a clock of two numbers counts what elapsed: h:min or min:s.
+  void is_elapsed() { elapsed_ = true; }
   /// The header names one that is not known.
   void unit_is_unknown(std::string unit) { unknown_unit_ = std::move(unit); }
 
@@ -95,6 +97,7 @@ class TimeColumn {
   TimeForm form_;
   double unit_s_;
   bool unit_given_ = false;
+  bool elapsed_ = false;
   std::string unknown_unit_;
   bool seconds_only_;
   std::optional<DateOrder> order_;

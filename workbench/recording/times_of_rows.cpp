@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "workbench/recording/filled.hpp"
+
 namespace workbench {
 namespace {
 
@@ -30,6 +32,19 @@ std::string date_text(std::int32_t day) {
 TimesOfRows::Doubt doubt_of_zones(const std::string& a, const std::string& b) {
   return {"times of one zone, or of zones with one meaning", a + " beside " + b,
           "export the times in one zone, or with offsets, as 14:30:00+08:00"};
+}
+
+TimesOfRows::Doubt doubt_of_days(const std::string& step) {
+  return {"times with one meaning",
+          filled("numbers below 1 and {0} apart, which may be seconds or parts of a day",
+                 {step}),
+          "say which after the name: --time \"NAME [s]\" or --time \"NAME [d]\""};
+}
+
+TimesOfRows::Doubt doubt_of_clock(const std::string& found) {
+  return {"times with one meaning", found,
+          "say after the name whether the last two are seconds or minutes: --time "
+          "\"NAME [s]\" or --time \"NAME [min]\""};
 }
 
 ClockTime clock_time(const TimesOfRows& times, double t) {

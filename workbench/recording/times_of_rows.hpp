@@ -36,6 +36,12 @@ struct TimesOfRows {
   std::vector<std::string> notes;
 };
 
+/// Numbers below 1 and `step` apart, which may be seconds or parts of a day.
+[[nodiscard]] TimesOfRows::Doubt doubt_of_days(const std::string& step);
+
+/// What is `found`: min:s as well as h:min.
+[[nodiscard]] TimesOfRows::Doubt doubt_of_clock(const std::string& found);
+
 /// What is to be said of times of zones, in words, that may be hours apart.
 [[nodiscard]] TimesOfRows::Doubt doubt_of_zones(const std::string& a,
                                                 const std::string& b);

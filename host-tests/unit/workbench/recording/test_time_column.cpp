@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -190,6 +191,40 @@ TEST(TimeColumn, RefusesOpenZonesBesideOthers) {
   const TimesOfRows mixed = dates({day + "1:00 CST", day + "7:01 UTC"}).take();
   ASSERT_TRUE(mixed.doubt);
   EXPECT_EQ(mixed.doubt->found, "CST (-06:00 or +08:00) beside +00:00");
+}
+
+TEST(TimeColumn, AsksWhetherTwoNumbersOfTimeElapsedAreMinutesAndSeconds) {
+  const auto taken = [](double unit_s) {
+    TimeColumn column(TimeForm::kClock, unit_s, false, std::nullopt);
+    column.is_elapsed();
+    if (unit_s > 0) column.unit_is_given();
+    for (const char* cell : {"00:00", "00:01", "00:02"}) {
+      EXPECT_TRUE(column.add(cell, "", 0));
+    }
+    return column.take();
+  };
+  EXPECT_TRUE(taken(0).doubt);
+  EXPECT_FALSE(taken(1).doubt);
+  EXPECT_EQ(taken(1).t.back(), 2);
+  EXPECT_EQ(taken(60).t.back(), 120);
+}
+
+TEST(TimeColumn, TakesRoundedPartsOfADayAsDaysOrAsks) {
+  const auto taken = [](int decimals, double gap) {
+    TimeColumn column(TimeForm::kNumber, 0, false, std::nullopt);
+    const double parts = std::pow(10, decimals);
+    for (int i = 0; i < 600; ++i) {
+      const double at = (29700 + i + (i > 300 ? gap : 0)) / 86400;
+      column.add(std::round(at * parts) / parts);
+    }
+    return column.take();
+  };
+  for (const int decimals : {4, 5, 6, 7}) {
+    const TimesOfRows times = taken(decimals, 0);
+    EXPECT_FALSE(times.doubt) << decimals;
+    EXPECT_NEAR(times.t[500] - times.t[0], 500, 1e-6) << decimals;
+  }
+  EXPECT_TRUE(taken(6, 40).doubt);
 }
 
 }  // namespace
