@@ -30,6 +30,7 @@ TimeSlots want_time(const CsvSource& source, const TimePlace& place,
   if (place.clock) slots.clock = want(wanted, *place.clock);
   slots.clock_is_number = place.clock_is_number;
   if (place.millis) slots.millis = want(wanted, *place.millis);
+  slots.millis_s = place.millis_s;
   for (const std::size_t part : place.parts) {
     slots.parts.push_back(want(wanted, part));
     slots.name +=
@@ -42,6 +43,7 @@ TimeSlots want_time(const CsvSource& source, const TimePlace& place,
 TimeColumn time_column_of(const CsvSource& source, const TimePlace& place) {
   TimeColumn out(place.form, place.unit_s, place.seconds_only, source.options.date_order);
   if (place.unit_given) out.unit_is_given();
+  if (place.elapsed) out.is_elapsed();
   out.unit_is_unknown(place.unknown_unit);
   return out;
 }

@@ -160,7 +160,7 @@ constexpr auto kLines = std::to_array<PartLine>({
     {Part::kValue, "wartosc hodnota deger vaerde verdi vaerdi arvo ertek valoare"sv},
     {Part::kValue, "значение 値 值 数值 값"sv},
     {Part::kMillis, "ms msec millis millisec milliseconds millisekunden"sv},
-    {Part::kMillis, "millitm millisecs"sv},
+    {Part::kMillis, "millitm millisecs millisecond mseccol millisekunde fff"sv},
     {Part::kMillis, "мс"sv},
 });
 

@@ -85,7 +85,8 @@ std::vector<std::string> names_of_times(const TagFile& file) {
   const bool alone = !out.empty() && file.time.parts.front() == file.time.column;
   if (file.time.clock) out.insert(out.begin(), "Clock");
   if (!alone) out.insert(out.begin(), file.time_name);
-  if (file.time.millis) out.emplace_back("Milliseconds");
+  const bool micros = file.time.millis_s < 1e-3;
+  if (file.time.millis) out.emplace_back(micros ? "us" : "Milliseconds");
   return out;
 }
 

@@ -32,6 +32,10 @@ bool is_midnight(const LayoutColumn& column) {
          time->seconds == 0 && !time->has_zone;
 }
 
+bool counts_whole(std::string_view cell) {
+  return !cell.empty() && std::all_of(cell.begin(), cell.end(), wire::is_digit);
+}
+
 // The same number in most rows, and one that is written as dates are.
 bool dates_as_numbers(const LayoutColumn& column) {
   return column.content == Content::kNumber && column.name.unit.empty() &&
@@ -160,9 +164,8 @@ std::optional<TimePlace> TimeFinder::of_parts() const {
                        "that column");
     }
   }
-  if (parts_have_second(parts_.size()) &&
-      holds_millis(parts_.back() + 1, columns_[parts_.back()])) {
-    place.millis = parts_.back() + 1;
+  if (parts_have_second(parts_.size())) {
+    take_millis(parts_.back() + 1, columns_[parts_.back()], place);
   }
   return place;
 }
@@ -175,9 +178,12 @@ TimePlace TimeFinder::named() const {
     unit_s = seconds_of_unit(
         std::string_view(names_.time).substr(open + 2, names_.time.size() - open - 3));
   }
-  const bool numbered = unit_s > 0 && names_.time.front() == '#';
+  const bool in_name = std::ranges::any_of(columns_, [this](const LayoutColumn& column) {
+    return column.name.text == names_.time;
+  });
+  const bool behind = unit_s > 0 && !in_name;
   const std::size_t index =
-      candidate_named(numbered ? names_.time.substr(0, open) : names_.time, "--time",
+      candidate_named(behind ? names_.time.substr(0, open) : names_.time, "--time",
                       candidates_, {file_, layout_.header_line, "columns"});
   if (unit_s <= 0) {
     const std::optional<TimePlace> parts = of_parts();
@@ -209,6 +215,7 @@ TimePlace TimeFinder::at(std::size_t index) const {
   place.column = index;
   const LayoutColumn& column = columns_[index];
   place.seconds_only = role_of(column.name.text) == static_cast<int>(Column::t);
+  place.elapsed = column.name.key.find("elapsed") != std::string::npos;
   place.unit_s = seconds_of_unit(column.name.unit);
   if (place.unit_s == 0) place.unit_s = seconds_of_unit(column.name.key);
   if (place.unit_s == 0) place.unit_s = unit_in_name(column.name.text);
@@ -221,11 +228,17 @@ TimePlace TimeFinder::at(std::size_t index) const {
   } else if (column.content == Content::kClock) {
     place.form = TimeForm::kClock;
   }
+  if (const double form_s = seconds_of_clock_form(column.name.unit);
+      form_s > 0 && place.form == TimeForm::kClock) {
+    place.unit_s = form_s;
+    place.unit_given = true;
+    place.unknown_unit.clear();
+  }
   find_clock(index, place);
   const std::size_t last = place.clock.value_or(place.column);
   const bool whole_s = place.unit_s == 1 && column.first.find('.') == std::string::npos;
-  if ((place.form != TimeForm::kNumber || whole_s) && holds_millis(last + 1, column)) {
-    place.millis = last + 1;
+  if (place.form != TimeForm::kNumber || whole_s) {
+    take_millis(last + 1, columns_[last], place);
   }
   return place;
 }
@@ -256,12 +269,20 @@ void TimeFinder::find_clock(std::size_t index, TimePlace& place) const {
   }
 }
 
-// Milliseconds of the second before, which do not count on while that goes on.
-bool TimeFinder::holds_millis(std::size_t index, const LayoutColumn& seconds) const {
-  if (index >= columns_.size()) return false;
+// Milliseconds or microseconds of the second before, which do not count on while that
+// goes on.
+void TimeFinder::take_millis(std::size_t index, const LayoutColumn& seconds,
+                             TimePlace& place) const {
+  constexpr double kMicro = 1e-6;
+  if (index >= columns_.size()) return;
   const LayoutColumn& column = columns_[index];
-  return column.name.part == Part::kMillis && column.name.tag.empty() &&
-         !(column.counts && !seconds.rests());
+  if (column.counts && !seconds.rests()) return;
+  const bool micros = seconds_of_unit(column.name.text) == kMicro &&
+                      column.content == Content::kNumber && counts_whole(column.first);
+  const bool millis = column.name.part == Part::kMillis && column.name.tag.empty();
+  if (!micros && !millis) return;
+  place.millis = index;
+  if (micros) place.millis_s = kMicro;
 }
 
 // The time of day as a number, or beside a date that is one, in the next column.

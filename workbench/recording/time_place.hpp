@@ -17,13 +17,15 @@ struct TimePlace {
   std::size_t column = 0;             ///< number, date, or date and time
   std::optional<std::size_t> clock;   ///< time of day in a column of its own
   bool clock_is_number = false;       ///< that: 143000, 0.604167
-  std::optional<std::size_t> millis;  ///< milliseconds in a column of their own
+  std::optional<std::size_t> millis;  ///< parts of the second in a column of their own
+  double millis_s = 1e-3;             ///< of which each is this; s
   /// Hour, minute and perhaps second in columns of their own, beside a date; before them
   /// year, month and day where there is none (time_parts.hpp).
   std::vector<std::size_t> parts;
   TimeForm form = TimeForm::kNumber;
   double unit_s = 0;          ///< of numbers; 0: neither header nor user names one
   bool unit_given = false;    ///< by the user
+  bool elapsed = false;       ///< by the name of the column no time of day
   std::string unknown_unit;   ///< of numbers: what the header says and nobody knows
   bool seconds_only = false;  ///< the contract's t: numbers are no Excel days
 };
@@ -52,7 +54,8 @@ class TimeFinder {
   void check_single_t(std::size_t first) const;
   void find_clock(std::size_t index, TimePlace& place) const;
   void find_clock_beside(TimePlace& place) const;
-  [[nodiscard]] bool holds_millis(std::size_t index, const LayoutColumn& seconds) const;
+  void take_millis(std::size_t index, const LayoutColumn& seconds,
+                   TimePlace& place) const;
 
   const std::vector<LayoutColumn>& columns_;
   const CsvLayout& layout_;

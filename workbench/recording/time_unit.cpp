@@ -34,6 +34,7 @@ constexpr auto kUnits = std::to_array<std::pair<std::string_view, double>>({
     {"microseconds", 1e-6},
     {"ns", 1e-9},
     {"min", 60},
+    {"mn", 60},
     {"mins", 60},
     {"minute", 60},
     {"minutes", 60},
@@ -92,6 +93,22 @@ double unit_in_name(std::string_view name) {
     if (at > 0 && is_capital(name[at]) && is_small(name[at - 1])) break;
   }
   return at > 0 ? seconds_of_unit(name.substr(at)) : 0;
+}
+
+double seconds_of_clock_form(std::string_view form) {
+  const std::string lower = lower_case(form.substr(0, 16));
+  const std::size_t colon = lower.find(':');
+  if (colon == std::string::npos || colon == 0) return 0;
+  const std::string_view front = std::string_view(lower).substr(0, colon);
+  const std::string_view back = std::string_view(lower).substr(colon + 1);
+  const auto all = [](std::string_view text, char letter) {
+    return !text.empty() && text.find_first_not_of(letter) == std::string_view::npos;
+  };
+  if (all(front, 'm') || front == "min") {
+    const bool seconds = all(back.substr(0, back.find_first_of(".,")), 's');
+    return seconds || back == "sec" || back == "sek" ? 1 : 0;
+  }
+  return all(front, 'h') && (all(back, 'm') || back == "min") ? 60 : 0;
 }
 
 }  // namespace workbench

@@ -12,4 +12,8 @@ namespace workbench {
 /// Likewise of the unit that ends a name of several words: TimeMs, RelTime_ms; 0: none.
 [[nodiscard]] double unit_in_name(std::string_view name);
 
+/// Seconds for one of the last number of a clock of two whose form a header names: 1 of
+/// mm:ss or m:ss.0, 60 of hh:mm. 0: no such form.
+[[nodiscard]] double seconds_of_clock_form(std::string_view form);
+
 }  // namespace workbench

@@ -161,13 +161,13 @@ bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
       numbers_.read(row.cell(*slots.millis), millis) != NumberReader::Result::kOk) {
     return false;
   }
+  const double extra_s = slots.millis_s * millis;
   if (!slots.parts.empty()) {
     const std::optional<std::string> time = joined_time(row, slots);
     if (!time) return false;
     const bool beside_date =
         slots.parts.front() != slots.column && !parts_have_date(slots.parts.size());
-    return beside_date ? times.add(cell, *time, 1e-3 * millis)
-                       : times.add(*time, "", 1e-3 * millis);
+    return beside_date ? times.add(cell, *time, extra_s) : times.add(*time, "", extra_s);
   }
   if (times.form() == TimeForm::kNumber) {
     double value = 0;
@@ -175,16 +175,16 @@ bool ValueReader::append_time(const RowScanner& row, const TimeSlots& slots,
     time_result_ = read(cell, value, unit);
     const double unit_s = unit.empty() ? 1 : seconds_of_unit(unit);
     if (time_result_ != NumberReader::Result::kOk || unit_s <= 0) return false;
-    times.add(value * unit_s + 1e-3 * millis);
+    times.add(value * unit_s + extra_s);
     return true;
   }
   const std::string_view clock = slots.clock ? row.cell(*slots.clock) : "";
   if (slots.clock && clock.empty()) return false;
-  if (!slots.clock_is_number) return times.add(cell, clock, 1e-3 * millis);
+  if (!slots.clock_is_number) return times.add(cell, clock, extra_s);
   double of_day = 0;
   if (numbers_.read(clock, of_day) != NumberReader::Result::kOk) return false;
   return times.add(cell, of_day, std::min(clock.find_first_of(".,"), clock.size()),
-                   1e-3 * millis);
+                   extra_s);
 }
 
 std::optional<std::string> ValueReader::joined_time(const RowScanner& row,

@@ -19,6 +19,7 @@ struct TimeSlots {
   std::optional<std::size_t> clock;
   bool clock_is_number = false;
   std::optional<std::size_t> millis;
+  double millis_s = 1e-3;
   std::vector<std::size_t> parts;  ///< as in TimePlace
   std::string name;                ///< of the column, or of the parts
 };

@@ -54,5 +54,54 @@ TEST(TimePlace, AsksForTheRestOfADateBesideHours) {
                InputError);
 }
 
+TEST(TimePlace, TakesPartsOfTheSecondBesideItsClock) {
+  for (const char* name : {"ms", "msec", "Millisecond", "Millisecond(s)", "MSecCol"}) {
+    const auto place =
+        place_of("Date,Time," + std::string(name) + ",OP,PV", "13.05.2026,14:30:00,30");
+    ASSERT_TRUE(place) << name;
+    EXPECT_EQ(columns_of(*place), (Columns{0, 1, 2})) << name;
+    EXPECT_EQ(place->millis_s, 1e-3) << name;
+  }
+}
+
+TEST(TimePlace, TakesMicrosecondsWhereTheyBeginAnewEachSecond) {
+  const auto rows = [](const std::string& head, bool counts) {
+    std::string text = head + '\n';
+    for (int k = 0; k < 40; ++k) {
+      const int us = counts ? k * 100000 : k % 10 * 100000;
+      text += "2026/03/17,08:15:" + std::to_string(10 + k / 10) + ',' +
+              std::to_string(us) + ",4.5,6.5\n";
+    }
+    const CsvLayout layout = layout_of(text, "a.csv", {});
+    const std::string file = "a.csv";
+    const ColumnNames names;
+    const std::vector<NamedSignal> candidates = candidates_of(layout);
+    return TimeFinder(layout, file, names, candidates).find();
+  };
+  const auto place = rows("Date,Time,us,CH3,CH4", false);
+  ASSERT_TRUE(place && place->millis);
+  EXPECT_EQ(*place->millis, 2U);
+  EXPECT_EQ(place->millis_s, 1e-6);
+  EXPECT_FALSE(rows("Date,Time,us,CH3,CH4", true)->millis);
+}
+
+TEST(TimePlace, AHeaderNamesTheFormOfAClock) {
+  const auto place = place_of("Time (mm:ss),OP,PV", "00:0");
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->unit_s, 1);
+  EXPECT_TRUE(place->unit_given);
+  EXPECT_TRUE(place->unknown_unit.empty());
+}
+
+TEST(TimePlace, AUnitMayStandBehindANameThatHasOne) {
+  for (const char* time : {"Temps (xx) [min]", "temps [min]", "#1 [min]"}) {
+    const auto place = place_of("Temps (xx),OP,PV", "1", time);
+    ASSERT_TRUE(place) << time;
+    EXPECT_EQ(place->unit_s, 60) << time;
+    EXPECT_TRUE(place->unit_given) << time;
+  }
+  EXPECT_EQ(place_of("Temps (mn),OP,PV", "1")->unit_s, 60);
+}
+
 }  // namespace
 }  // namespace workbench

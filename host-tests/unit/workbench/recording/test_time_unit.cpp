@@ -35,5 +35,15 @@ TEST(TimeUnit, AtTheEndOfAName) {
   }
 }
 
+TEST(ClockForm, NamesTheUnitOfTheLastOfTwoNumbers) {
+  for (const char* form : {"mm:ss", "M:SS", "mm:ss.0", "min:sec"}) {
+    EXPECT_EQ(seconds_of_clock_form(form), 1) << form;
+  }
+  EXPECT_EQ(seconds_of_clock_form("hh:mm"), 60);
+  for (const char* form : {"", ":", "hh:mm:ss", "s", "mm:", "a:b"}) {
+    EXPECT_EQ(seconds_of_clock_form(form), 0) << form;
+  }
+}
+
 }  // namespace
 }  // namespace workbench
