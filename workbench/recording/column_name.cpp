@@ -11,6 +11,7 @@
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_unit.hpp"
 
@@ -99,6 +100,9 @@ void cut_address(std::string& name) {
   if (at == std::string::npos) return;
   const std::size_t dot = name.rfind('.', at);
   if (dot == std::string::npos || dot == 0) return;
+  // FIC101.PV@1s avg: how the values were made.
+  const Part part = part_named(key_of(name.substr(dot + 1, at - dot - 1)));
+  if (is_signal(part)) return name.resize(at);
   name.erase(dot, std::min(name.find_first_of(" ,;", at), name.size()) - dot);
 }
 
@@ -205,6 +209,8 @@ EndPart end_part(const std::vector<std::string>& keys) {
     std::string joined;
     for (std::size_t i = keys.size() - count; i < keys.size(); ++i) joined += keys[i];
     const Part part = part_named(joined);
+    // Quality Code and the like are of what stands before them.
+    if (count > 1 && part == Part::kQuality && !is_sure_quality_name(joined)) continue;
     const bool lone_letter = joined.size() == 1 && joined != "q" && keys.size() > count;
     if (part != Part::kNone && !lone_letter) return {part, keys.size() - count};
   }
@@ -357,41 +363,6 @@ ColumnName column_name(std::string_view text) {
   }
   take_instrument(name, pieces, out);
   return out;
-}
-
-int role_of(std::string_view name) {
-  const std::string lower = lower_case(name);
-  constexpr std::array<std::pair<std::string_view, Column>, 9> kNames = {{
-      {"t", Column::t},
-      {"u", Column::u},
-      {"op", Column::u},
-      {"y", Column::y},
-      {"pv", Column::y},
-      {"sp", Column::sp},
-      {"x", Column::x},
-      {"mv", Column::x},
-      {"pos", Column::x},
-  }};
-  for (const auto& [known, column] : kNames) {
-    if (lower == known) return static_cast<int>(column);
-  }
-  return kIgnoredColumn;
-}
-
-std::string with_aliases(Column column) {
-  switch (column) {
-    case Column::u:
-      return "a column u (or OP)";
-    case Column::y:
-      return "a column y (or PV)";
-    case Column::x:
-      return "a column x (or MV, POS)";
-    case Column::sp:
-      return "a column sp";
-    case Column::t:
-      break;
-  }
-  return "a column t (time in seconds)";
 }
 
 }  // namespace workbench

@@ -92,5 +92,12 @@ TEST(ColumnName, MayBeFullOfBrackets) {
   EXPECT_TRUE(column_name(name).unit.empty());
 }
 
+TEST(ColumnName, HowAValueWasMadeIsNoAddress) {
+  const ColumnName name = column_name("FIC101.PV@1s avg");
+  EXPECT_EQ(name.part, Part::kY);
+  EXPECT_EQ(name.tag, "fic101");
+  EXPECT_EQ(column_name("FIC101-OUT.UNIT1@NET0").part, Part::kU);
+}
+
 }  // namespace
 }  // namespace workbench
