@@ -23,22 +23,49 @@ constexpr double kUncertainCode = 64;
 constexpr double kOpcUaBad = 2147483648.0;  // severity bits of OPC UA
 constexpr double kOpcUaUncertain = 1073741824.0;
 
-constexpr std::array kWords = {"null"sv,        "<null>"sv,      "none"sv,
-                               "nil"sv,         "n/a"sv,         "n.a."sv,
-                               "nodata"sv,      "void"sv,        "invalid"sv,
-                               "missing"sv,     "unknown"sv,     "unavailable"sv,
-                               "shutdown"sv,    "off-line"sv,    "offline"sv,
-                               "off-scan"sv,    "off scan"sv,    "oos"sv,
-                               "err"sv,         "schlecht"sv,    "fehler"sv,
-                               "fehlend"sv,     "keine daten"sv, "kein wert"sv,
-                               "--"sv,          "---"sv,         "----"sv,
-                               "-----"sv,       "***"sv,         "****"sv,
-                               "???"sv,         "????"sv,        "ung\xC3\xBCltig"sv,
-                               "ung\xFCltig"sv, "ungueltig"sv,   "gest\xC3\xB6rt"sv,
-                               "gest\xF6rt"sv,  "gestoert"sv,    "na"sv,
-                               "nd"sv,          "n.d."sv,        "n/d"sv,
-                               "n.c."sv,        "s/d"sv,         "\\n"sv,
-                               "<na>"sv,        "<gated>"sv,     "(null)"sv,
+constexpr std::array kWords = {"null"sv,
+                               "<null>"sv,
+                               "none"sv,
+                               "nil"sv,
+                               "n/a"sv,
+                               "n.a."sv,
+                               "nodata"sv,
+                               "void"sv,
+                               "invalid"sv,
+                               "missing"sv,
+                               "unknown"sv,
+                               "unavailable"sv,
+                               "shutdown"sv,
+                               "off-line"sv,
+                               "offline"sv,
+                               "off-scan"sv,
+                               "off scan"sv,
+                               "oos"sv,
+                               "err"sv,
+                               "schlecht"sv,
+                               "fehler"sv,
+                               "fehlend"sv,
+                               "keine daten"sv,
+                               "kein wert"sv,
+                               "ol"sv,
+                               "+ol"sv,
+                               "-ol"sv,
+                               "ung\xC3\xBCltig"sv,
+                               "ung\xFCltig"sv,
+                               "ungueltig"sv,
+                               "gest\xC3\xB6rt"sv,
+                               "gest\xF6rt"sv,
+                               "gestoert"sv,
+                               "na"sv,
+                               "nd"sv,
+                               "n.d."sv,
+                               "n/d"sv,
+                               "n.c."sv,
+                               "s/d"sv,
+                               "\\n"sv,
+                               "<na>"sv,
+                               "<gated>"sv,
+                               "(null)"sv,
                                "@@@@"sv};
 
 constexpr std::array kBeginnings = {
@@ -63,6 +90,15 @@ constexpr std::array kNumberWords = {"off"sv,  "true"sv,   "false"sv, "yes"sv,
 
 constexpr std::size_t kLongest = 48;
 
+// -----, +++++++, ***, ?????: beyond the range, or too wide for the column.
+bool is_row_of_marks(std::string_view cell) {
+  constexpr std::size_t kFewest = 3;
+  const char mark = cell.front();
+  const std::size_t fewest = mark == '-' || mark == '#' ? 2 : kFewest;
+  return std::string_view("-+*?#").find(mark) != std::string_view::npos &&
+         cell.size() >= fewest && cell.find_first_not_of(mark) == std::string_view::npos;
+}
+
 }  // namespace
 
 bool says_no_value(std::string_view cell, bool export_file) {
@@ -74,10 +110,8 @@ bool says_no_value(std::string_view cell, bool export_file) {
   const std::string lower = lower_case(cell.substr(0, kLongest));
   const auto is = [&lower](std::string_view word) { return lower == word; };
   const auto begins = [&lower](std::string_view word) { return lower.starts_with(word); };
-  if (lower[0] == '#' && lower.size() > 1) {
-    if (is_small(lower[1])) return true;
-    if (lower.find_first_not_of('#') == std::string::npos) return true;
-  }
+  if (lower[0] == '#' && lower.size() > 1 && is_small(lower[1])) return true;
+  if (is_row_of_marks(cell)) return true;
   return std::any_of(kWords.begin(), kWords.end(), is) ||
          std::any_of(kBeginnings.begin(), kBeginnings.end(), begins) ||
          (export_file && std::any_of(kExportWords.begin(), kExportWords.end(), is));

@@ -11,10 +11,10 @@ namespace workbench {
 
 /// True for a cell that says "no value": a gap, not a mistake. Known, without regard
 /// to case, are
-/// - words: null, (null), none, n/a, NA, <NA>, <GATED>, \N, ND, N.D., N/D, n.c., s/d,
+/// - words: OL, null, (null), none, n/a, NA, <NA>, <GATED>, \N, ND, N.D., N/D, n.c., s/d,
 /// void, invalid, missing, unknown, unavailable, shutdown, off-line, off-scan,
 ///   ungültig, schlecht, Fehler, gestört, keine Daten, kein Wert; and `---`, `***`,
-///   `???`;
+///   `???`, `+++`, of any length;
 /// - whatever begins with Bad, No Data, No Good Data, No Result, I/O Timeout, Timeout,
 ///   Digital State, Pt Created, Scan, Comm, Out of Serv, Not Connect, Not Available, Not
 ///   Collect, Configure, Calc, Over Range, Under Range, Intf, Equip, Failed, Error, Arc,

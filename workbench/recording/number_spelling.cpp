@@ -125,6 +125,12 @@ std::optional<std::string> plain_number(std::string_view cell) {
       out += bytes;
     }
   }
+  // +  52.624: a sign at the left edge of its column.
+  const std::size_t digits = out.find_first_not_of(' ', 1);
+  const bool apart = out.size() > 1 && (out[0] == '+' || out[0] == '-') &&
+                     out[1] == ' ' && digits != std::string::npos &&
+                     is_digit(out[digits]);
+  if (apart) out.erase(1, digits - 1);
   if (out.size() > 1 && out.back() == '-' && is_digit(out[out.size() - 2])) {
     out.pop_back();
     out.insert(out.begin(), '-');

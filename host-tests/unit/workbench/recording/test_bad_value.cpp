@@ -9,8 +9,11 @@ namespace {
 
 TEST(BadValue, WordsOfHistoriansAreGapsInEveryFile) {
   for (const std::string cell :
-       {"Bad", "BAD INPUT", "No Data", "I/O Timeout", "Digital State 246", "Pt Created",
-        "#N/A", "#DIV/0!", "#NV", "null", "---", "Comm Fail", "<Null>", "ungültig"}) {
+       {"Bad",        "BAD INPUT", "No Data", "I/O Timeout", "Digital State 246",
+        "Pt Created", "#N/A",      "#DIV/0!", "#NV",         "null",
+        "---",        "+++++++",   "-------", "******",      "?????",
+        "##",         "OL",        "-OL",     "Comm Fail",   "<Null>",
+        "ungültig"}) {
     EXPECT_TRUE(says_no_value(cell, false)) << cell;
   }
 }
@@ -24,7 +27,7 @@ TEST(BadValue, NaNIsAGapInExportsOnly) {
 
 TEST(BadValue, TypingMistakesAndInfinitiesAreNone) {
   for (const std::string cell :
-       {"abc", "12..3", "1O", "inf", "", "oops", "#", "1.#INF"}) {
+       {"abc", "12..3", "1O", "inf", "", "oops", "#", "1.#INF", "++", "+-+", "+++5"}) {
     EXPECT_FALSE(says_no_value(cell, true)) << cell;
   }
 }

@@ -36,5 +36,12 @@ TEST(NumberSpelling, BlanksAround) {
   EXPECT_EQ(without_blanks("\xC2\xA0"), "");
 }
 
+TEST(NumberSpelling, ASignApartFromItsNumber) {
+  EXPECT_EQ(plain_number("+  52.624"), "+52.624");
+  EXPECT_EQ(plain_number("- 1.5"), "-1.5");
+  EXPECT_NE(plain_number("+ x"), "+x");
+  EXPECT_EQ(plain_number("+ "), "+");
+}
+
 }  // namespace
 }  // namespace workbench
