@@ -52,6 +52,12 @@ bool is_aim(std::string_view piece) {
          std::any_of(kAimBeginnings.begin(), kAimBeginnings.end(), begins);
 }
 
+// AI1, AO: what a card reads and what it puts out.
+Part part_of_card(std::string_view piece) {
+  const std::string_view letters = piece.substr(0, piece.find_first_of("0123456789"));
+  return letters == "ao" ? Part::kU : letters == "ai" ? Part::kY : Part::kNone;
+}
+
 // T2
 bool is_temperature(std::string_view piece) {
   return piece.size() > 1 && piece[0] == 't' &&
@@ -98,6 +104,7 @@ Part part_hinted(const std::vector<std::string>& pieces) {
   if (std::find(pieces.begin(), pieces.end(), "vfd") != pieces.end()) return Part::kU;
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
     if (is_temperature(*piece)) return Part::kY;
+    if (const Part card = part_of_card(*piece); card != Part::kNone) return card;
     for (const PartWord& hint : kHints) {
       if (piece->starts_with(hint.key)) return hint.part;
     }

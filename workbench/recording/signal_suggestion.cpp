@@ -45,6 +45,20 @@ Part hint_of(const ColumnName& name) {
   return part != Part::kNone ? part : inside;
 }
 
+// The only candidate that holds numbers and fits, and how many do.
+template <class Condition>
+std::optional<std::size_t> only_one(const std::vector<NamedSignal>& candidates,
+                                    const std::vector<bool>& taken, Condition fits) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const NamedSignal& c = candidates[i];
+    if (taken[i] || !c.measured || c.empty || !fits(c)) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
 class Suggester {
  public:
   Suggester(const std::vector<NamedSignal>& candidates, const std::vector<bool>& taken)
@@ -65,6 +79,7 @@ class Suggester {
           out[i] = suggestion(wanted[i], out, nameless_too);
       }
     }
+    take_valve(wanted, out);
     return out;
   }
 
@@ -87,9 +102,21 @@ class Suggester {
     }
   }
 
+  // Flow beside Flow Setpoint: measured, and of a loop.
+  [[nodiscard]] bool has_setpoint_of(const ColumnName& name) const {
+    if (name.part != Part::kNone || hint_of(name) != Part::kY) return false;
+    return std::ranges::any_of(candidates_, [&name](const NamedSignal& c) {
+      return c.name.part == Part::kSp &&
+             std::ranges::find(c.name.pieces, name.pieces.front()) != c.name.pieces.end();
+    });
+  }
+
   // The test of a positioner: a position beside what it is asked for, without a loop.
   void take_positioner(const std::vector<Column>& wanted, Indices& out) const {
     if (has(Part::kU) || has(Part::kY) || has(Part::kMv) || !has(Part::kX)) return;
+    const bool measured = std::ranges::any_of(
+        candidates_, [this](const NamedSignal& c) { return has_setpoint_of(c.name); });
+    if (measured) return;
     const auto first = [this](auto fits) {
       std::size_t i = 0;
       while (i < candidates_.size() &&
@@ -107,6 +134,17 @@ class Suggester {
                  name.key.starts_with("input");
         });
       }
+    }
+  }
+
+  // The only position is of a valve that nothing else moves.
+  void take_valve(const std::vector<Column>& wanted, Indices& out) const {
+    const auto position = only_one(candidates_, taken_, [](const NamedSignal& c) {
+      return c.name.part == Part::kX;
+    });
+    if (!position || std::ranges::find(out, *position) != out.end()) return;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i] == Column::u && out[i] == candidates_.size()) out[i] = *position;
     }
   }
 
@@ -225,20 +263,6 @@ bool may_be_one_loop(const ColumnName& a, const ColumnName& b) {
     });
   };
   return a.tag.empty() || b.tag.empty() || (open(a) && open(b));
-}
-
-// The only candidate that holds numbers and fits, and how many do.
-template <class Condition>
-std::optional<std::size_t> only_one(const std::vector<NamedSignal>& candidates,
-                                    const std::vector<bool>& taken, Condition fits) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const NamedSignal& c = candidates[i];
-    if (taken[i] || !c.measured || c.empty || !fits(c)) continue;
-    if (found) return std::nullopt;
-    found = i;
-  }
-  return found;
 }
 
 // A signal whose name says nothing, and nothing against `column`.

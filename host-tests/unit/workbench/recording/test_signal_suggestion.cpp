@@ -133,5 +133,15 @@ TEST(SignalSuggestion, TheLastWordOfAnExtreme) {
   }
 }
 
+TEST(SignalSuggestion, ProposesCardsAndTheValveOfAProcess) {
+  const auto suggested = [](const std::vector<std::string>& texts) {
+    return suggested_signals(signals(texts), std::vector<bool>(texts.size()),
+                             {Column::u, Column::y});
+  };
+  EXPECT_EQ(suggested({"AI1", "AO1"}), (std::vector<std::size_t>{1, 0}));
+  EXPECT_EQ(suggested({"Valve Position (%)", "Flow (m3/h)", "Flow Setpoint (m3/h)"}),
+            (std::vector<std::size_t>{0, 1}));
+}
+
 }  // namespace
 }  // namespace workbench
