@@ -207,6 +207,7 @@ class LayoutFinder {
       out_.first_row_line = lines_.back().line + 1;
       out_.first_row_offset = text_.size();
     }
+    out_.most_cells = out_.columns.size();
     cut_names(table);
     // Blank lines in between are the row reader's to judge.
     if (first_row == header + 1) {
@@ -296,7 +297,10 @@ class LayoutFinder {
       const std::vector<LineCell>& cells = best->cells(i);
       const auto empty = std::ranges::count(cells, "", &LineCell::text);
       const std::size_t filled = cells.size() - static_cast<std::size_t>(empty);
-      if (!best->is_text(i) || filled < (best->width() > 2 ? 2U : 1U)) continue;
+      const bool remark = is_remark_of_names(cells, best->width());
+      if ((!best->is_text(i) && !remark) || filled < (best->width() > 2 ? 2U : 1U)) {
+        continue;
+      }
       if (cells.size() + 1 < best->width() && i + 1 < first_row) continue;
       // The channels of a preamble, above names that fill the columns.
       if (cells.size() > best->width() && named) continue;
@@ -322,10 +326,9 @@ class LayoutFinder {
     if (header > 0 && has_repeated_names(best->cells(header))) {
       const std::vector<LineCell>& above =
           best->cells(line_of_tags(*best, header, highest).value_or(header - 1));
-      if (above.size() == best->cells(header).size()) {
-        put_names_above(above, best->cells(header), out_.columns);
-      }
+      put_names_above(above, best->cells(header), out_.columns);
     }
+    name_the_rest(*best, out_.columns);
     take_unit_rows(*best, header, highest);
     set_rows(*best, header, first_row);
   }

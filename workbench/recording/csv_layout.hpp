@@ -41,6 +41,7 @@ struct LayoutColumn {
 struct CsvLayout {
   char separator = ',';
   std::vector<LayoutColumn> columns;
+  std::size_t most_cells = 0;        ///< that a row may have: columns, or names
   std::size_t header_line = 1;       ///< from 1
   std::string header;                ///< its line; "": there is none
   std::size_t first_row_line = 2;    ///< line of the first row of values

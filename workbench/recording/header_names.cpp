@@ -4,8 +4,10 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "workbench/recording/column_name.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench {
 namespace {
@@ -42,6 +44,20 @@ void move_from_times(const LineTable& table, std::vector<LineCell>& given) {
     names[c].text = "Time";
   }
   given = std::move(names);
+}
+
+// Each filled cell over the first of names that repeat as often.
+bool stand_over_groups(const std::vector<LineCell>& above,
+                       const std::vector<LineCell>& cells, std::size_t filled) {
+  const std::string_view first = cells.front().text;
+  const auto begins = [first](const LineCell& cell) { return cell.text == first; };
+  if (first.empty() || std::cmp_not_equal(std::ranges::count_if(cells, begins), filled)) {
+    return false;
+  }
+  for (std::size_t c = 0; c < above.size(); ++c) {
+    if (above[c].text.empty() == begins(cells[c])) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -128,13 +144,34 @@ void put_names_above(const std::vector<LineCell>& above,
   if (filled < 2) return;  // a title
   std::map<std::string_view, std::size_t> count;
   for (const LineCell& cell : cells) ++count[cell.text];
+  const bool cut = above.size() < cells.size();
+  if (above.size() > cells.size()) return;
+  if (cut && !stand_over_groups(above, cells, static_cast<std::size_t>(filled))) return;
   std::string last;
-  for (std::size_t c = 0; c < std::min(above.size(), cells.size()); ++c) {
-    if (!above[c].text.empty()) last = std::string(above[c].text);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const bool named = c < above.size() && !above[c].text.empty();
+    if (named) last = std::string(above[c].text);
     const bool is_time = columns[c].name.part == Part::kTime && count[cells[c].text] < 2;
-    const bool blank = cells[c].text.empty() && above[c].text.empty();
+    const bool blank = cells[c].text.empty() && !named;
     if (last.empty() || is_time || blank) continue;
     columns[c].name = column_name(last + ' ' + std::string(cells[c].text));
+  }
+}
+
+bool is_remark_of_names(const std::vector<LineCell>& cells, std::size_t width) {
+  return cells.size() == width && width > 1 &&
+         std::ranges::all_of(cells, [](const LineCell& cell) {
+           return cell.text.size() > 1 && cell.text[0] == '#' && !is_digit(cell.text[1]);
+         });
+}
+
+void name_the_rest(const LineTable& table, std::vector<LayoutColumn>& columns) {
+  if (!table.even() || columns.size() < 2) return;
+  for (std::size_t c = columns.size(); c < table.width(); ++c) {
+    if (table.content(c) == Content::kNothing) return;
+    LayoutColumn& column = columns.emplace_back();
+    column.name.text = '#' + std::to_string(c + 1);
+    column.column = 1;
   }
 }
 

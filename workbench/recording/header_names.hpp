@@ -38,4 +38,12 @@ void put_names_above(const std::vector<LineCell>& above,
                      const std::vector<LineCell>& cells,
                      std::vector<LayoutColumn>& columns);
 
+/// #MS;#SP;#CMD: names behind a mark each, as many as a row has cells.
+[[nodiscard]] bool is_remark_of_names(const std::vector<LineCell>& cells,
+                                      std::size_t width);
+
+/// Columns for cells behind the last name, where each row has as many: their texts are
+/// their numbers (#6), by which alone they are found.
+void name_the_rest(const LineTable& table, std::vector<LayoutColumn>& columns);
+
 }  // namespace workbench

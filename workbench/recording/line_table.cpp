@@ -103,16 +103,26 @@ bool LineTable::counts(std::size_t column) const {
   constexpr double kEven = 0.01;  // of the step, for what was rounded
   constexpr std::size_t kFewest = 5;
   std::vector<double> values;
+  std::size_t decimals = 0;
   for (std::size_t i = first_row_; i < cells_.size(); ++i) {
     if (column >= cells_[i].size()) return false;
-    const std::optional<double> value = as_number(cells_[i][column].text);
+    const std::string_view cell = cells_[i][column].text;
+    const std::optional<double> value = as_number(cell);
     if (!value) return false;
     values.push_back(*value);
+    const std::size_t point = std::min(cell.find('.'), cell.size() - 1);
+    decimals = std::max(decimals, cell.size() - 1 - point);
   }
   if (values.size() < kFewest || !(values[1] > values[0])) return false;
-  const double step = values[1] - values[0];
-  for (std::size_t i = 2; i < values.size(); ++i) {
-    if (!(std::abs(values[i] - values[i - 1] - step) < kEven * step)) return false;
+  const double step =
+      (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  // A step that was rounded is off by one of its last decimals, a small part of it.
+  constexpr double kSmall = 0.25;
+  const double digit = std::pow(10.0, -static_cast<double>(decimals));
+  const bool rounded = decimals > 0 && digit <= kSmall * step;
+  const double most = std::max(kEven * step, rounded ? digit * (1 + kEven) : 0);
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (!(std::abs(values[i] - values[i - 1] - step) < most)) return false;
   }
   return true;
 }

@@ -76,7 +76,8 @@ std::optional<InputError> RowScanner::wrong_count() const {
   const bool blanks = layout_.separator == kBlanks && cells_ != first_cells_;
   if (cells_ == expected && !blanks) return std::nullopt;
   if (!plain_ && !blanks &&
-      (cells_ > expected ? filled_cells_ <= expected : cells_ >= needed_)) {
+      (cells_ > expected ? filled_cells_ <= std::max(expected, layout_.most_cells)
+                         : cells_ >= needed_)) {
     return std::nullopt;
   }
   const bool commas = layout_.separator == ',' && cells_ > expected;

@@ -89,7 +89,7 @@ TEST(CsvLayout, NamesFewerThanCellsStandOverWhatTheyName) {
       "[] time[] [] OP[] PV[]");
   // A column more behind the last name may be it.
   EXPECT_EQ(names_of(layout("time OP PV\n" + rows_of(" 1.5 2.5 3.5\n"))),
-            "time[] OP[] PV[]");
+            "time[] OP[] PV[] #4[]");
 }
 
 TEST(CsvLayout, TellsSeparatorsByTheRows) {

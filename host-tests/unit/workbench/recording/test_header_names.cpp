@@ -60,5 +60,38 @@ TEST(HeaderNames, ATitleIsNoneOfThem) {
   EXPECT_EQ(columns[0].name.text, "");
 }
 
+TEST(HeaderNames, ALineAboveMayEndWithItsLastTag) {
+  std::string text = "FIC101.OP,,,FIC101.PV\nTime,Value,,Time,Value\n";
+  for (int i = 10; i < 30; ++i) {
+    const std::string at = "17-Mar-26 08:15:" + std::to_string(i);
+    text += at + ",52.6,," + at + ",110.4\n";
+  }
+  const CsvLayout layout =
+      layout_of(text, "f.csv", {{Column::t, Column::u, Column::y}, {}});
+  ASSERT_EQ(layout.columns.size(), 5U);
+  EXPECT_EQ(layout.columns[1].name.text, "FIC101.OP Value");
+  EXPECT_EQ(layout.columns[4].name.text, "FIC101.PV Value");
+}
+
+TEST(HeaderNames, StandBehindMarks) {
+  std::string text = "#MS;#SP;#CMD\n#Elapsed (ms);#SetPoint;#Cmd\n";
+  for (int i = 0; i < 20; ++i) text += std::to_string(1000 + 50 * i) + ".5;1.5;2.5\n";
+  const CsvLayout layout =
+      layout_of(text, "f.csv", {{Column::t, Column::u, Column::y}, {}});
+  ASSERT_EQ(layout.columns.size(), 3U);
+  EXPECT_EQ(layout.columns[2].name.key, "cmd");
+  EXPECT_EQ(layout.first_row_line, 3U);
+}
+
+TEST(HeaderNames, CellsBehindTheLastAreFoundByTheirNumber) {
+  std::string text = "Time (s),Set,Current\n";
+  for (int i = 0; i < 20; ++i) text += std::to_string(i) + ",1.5,2.5,3.5,4.5\n";
+  const CsvLayout layout =
+      layout_of(text, "f.csv", {{Column::t, Column::u, Column::y}, {}});
+  ASSERT_EQ(layout.columns.size(), 5U);
+  EXPECT_EQ(layout.columns[4].name.text, "#5");
+  EXPECT_TRUE(layout.columns[4].name.key.empty());
+}
+
 }  // namespace
 }  // namespace workbench

@@ -72,5 +72,16 @@ TEST(LineTable, CountsSeveralBlanksAsOne) {
   EXPECT_EQ(table.cells(2)[2].text, "3");
 }
 
+TEST(LineTable, CountsThatWereRoundedStayCounts) {
+  const LineTable table =
+      table_of({"0,0.17,10,0,1.1", "0.2,0.35,11,1,1.3", "0.41,0.48,13,2,1.4",
+                "0.61,0.51,14,2,1.6", "0.82,0.6,16,4,1.7", "1.03,0.8,17,5,1.8"},
+               ',');
+  EXPECT_TRUE(table.counts(0));
+  for (const std::size_t column : {1U, 2U, 3U, 4U}) {
+    EXPECT_FALSE(table.counts(column)) << column;
+  }
+}
+
 }  // namespace
 }  // namespace workbench

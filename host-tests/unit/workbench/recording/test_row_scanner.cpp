@@ -91,5 +91,22 @@ TEST(RowScanner, WhereBlanksSeparateNoCellIsMissing) {
             std::string::npos);
 }
 
+TEST(RowScanner, LaterRowsMayFillTheLastNames) {
+  std::string text = "X_Value\tOP\tPV\tComment\n";
+  for (int i = 0; i < 30; ++i) text += "1\t2\t3\n";
+  const CsvLayout layout =
+      layout_of(text, "f.csv", {{Column::t, Column::u, Column::y}, {}});
+  ASSERT_EQ(layout.columns.size(), 3U);
+  text += "1\t2\t3\ttested\n1\t2\t4\n";
+  const std::string file = "f.csv";
+  RowScanner rows(text, file, layout, {2}, false);
+  std::size_t count = 0;
+  while (rows.next()) {
+    rows.accept();
+    ++count;
+  }
+  EXPECT_EQ(count, 32U);
+}
+
 }  // namespace
 }  // namespace workbench
