@@ -840,7 +840,7 @@ const tests = {
       ['back.csv', 't,u,y\n1,2,3\n0,1,3\n3,4,4'], ['short.csv', 't,u,y\n1,2,3\n2,3,4\n3,4,4'], ['one.csv', 't,u,y\n1,2,3'],
       ['still.csv', 't,u,y\n' + rows(200)], ['trend.png', '\x89PNG\r\n'], ['other.session.json', '{"kind":"stickband-session"}'],
       ['columns.csv', 'p,q,r\n1,2,1\n2,1,1\n3,4,2'], ['no-time.csv', 'u,y\n1,2\n2,1\n3,4'],
-      ['dates.csv', 't,u,y\n03/04/2026 10:00:00,1,2\n03/04/2026 10:00:01,2,3\n03/04/2026 10:00:02,1,2']]) {
+      ['dates.csv', 't,u,y\n03/04/2026 10:00:00,1,2\n04/05/2026 10:00:00,2,3\n05/06/2026 10:00:00,1,2']]) {
       await page.evaluate(() => document.querySelectorAll('#alert, #columns').forEach(box => { box.hidden = true; }));
       await page.setInputFiles('#file', {name, mimeType: 'text/plain', buffer: Buffer.from(text, 'latin1')});
       await page.waitForSelector('#alert:not([hidden]), #columns:not([hidden]) .problem');

@@ -99,8 +99,16 @@ void refuse_step_back(const TimesOfRows& times, TimeForm form, const std::string
     const std::string clock = clock_text(times, time);
     return clock.empty() || form == TimeForm::kNumber ? number(time, 12) + " s" : clock;
   };
+  constexpr double kHourS = 3600;
+  constexpr double kHalfDayS = 12 * kHourS;
+  const double back = before - after;
+  const bool twelve =
+      form != TimeForm::kNumber && back > kHalfDayS - kHourS && back < kHalfDayS;
   throw InputError(file, at.line, at.column, "a time not before " + text(before),
-                   text(after), "sort the rows by time, or split the recording there");
+                   text(after),
+                   twelve ? "export a clock of 24 hours, or AM and PM: this one begins "
+                            "anew after 12"
+                          : "sort the rows by time, or split the recording there");
 }
 
 }  // namespace workbench

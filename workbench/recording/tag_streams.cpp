@@ -298,6 +298,7 @@ class StreamReader {
   // Times of one signal in s of the common origin, sorted, without gaps and repeats.
   void finish(Stream& stream, ResampleReport& report) {
     refuse_ambiguous(stream.times, source_.file, stream.first_cell);
+    refuse_other_day(stream);
     dates_ = stream.times.form() != TimeForm::kNumber;
     TimesOfRows times = stream.times.take();
     refuse_doubtful_times(times, source_.file, stream.first_cell);
@@ -338,6 +339,16 @@ class StreamReader {
                      doubt.expected, doubt.found, doubt.advice);
   }
 
+  // Days of which each may be two lie apart by what nobody knows.
+  void refuse_other_day(const Stream& stream) {
+    const std::optional<std::uint32_t> day = stream.times.one_open_day();
+    if (&stream == &streams_.front()) open_day_ = day;
+    if (day == open_day_) return;
+    throw InputError(source_.file, stream.first_cell.line, stream.first_cell.column,
+                     "dates with one reading", quoted(stream.first_cell.text),
+                     "say which number is the day: --date-order dmy or --date-order mdy");
+  }
+
   void drop_repeats(Stream& stream, ResampleReport& report) {
     RowTable one{std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}};
     take_out_bad(one,
@@ -360,6 +371,7 @@ class StreamReader {
   std::vector<Stream> streams_;
   std::deque<std::string> tag_texts_;  // of the keys, in the order of the tags
   TimesOfRows times_;
+  std::optional<std::uint32_t> open_day_;  // of the first signal
   bool has_origin_ = false;
   bool dates_ = false;
 };

@@ -101,17 +101,6 @@ void TimeColumn::take_zone(const WrittenTime& time) {
   }
 }
 
-bool TimeColumn::add_day(const WrittenTime& time) {
-  if (days_.empty()) {
-    day_kind_ = time.kind;
-  } else if (day_kind_ != time.kind) {
-    return false;
-  }
-  const bool known = time.kind == Day::kKnown;
-  days_.push_back(known ? static_cast<std::uint32_t>(time.day) : time.numbers);
-  return true;
-}
-
 bool TimeColumn::settle() {
   if (most_digits_ == 0) return true;
   const bool passes_days = std::adjacent_find(days_.begin(), days_.end(),
@@ -122,94 +111,6 @@ bool TimeColumn::settle() {
   seconds_ = std::move(of_day->seconds);
   most_digits_ = 0;
   return true;
-}
-
-std::int32_t TimeColumn::day_at(std::size_t row, DateOrder order) const {
-  if (day_kind_ == Day::kKnown) return static_cast<std::int32_t>(days_[row]);
-  return day_of(days_[row], day_kind_, order).value_or(0);
-}
-
-bool TimeColumn::reads(DateOrder order) const {
-  std::uint32_t last = 0;
-  bool last_reads = false;
-  for (const std::uint32_t numbers : days_) {
-    if (last_reads && numbers == last) continue;
-    last = numbers;
-    last_reads = day_of(numbers, day_kind_, order).has_value();
-    if (!last_reads) return false;
-  }
-  return true;
-}
-
-// Time moves in one direction, the hour of daylight saving aside.
-bool TimeColumn::runs_on(DateOrder order) const {
-  bool rises = false;
-  bool falls = false;
-  for (std::size_t i = 1; i < days_.size(); ++i) {
-    if (days_[i] == days_[i - 1]) continue;
-    const double step = (day_at(i, order) - day_at(i - 1, order)) * kDayS +
-                        (seconds_[i] - seconds_[i - 1]);
-    rises = rises || step > 2 * 3600;
-    falls = falls || step < -2 * 3600;
-    const bool day_rises = day_at(i, order) > day_at(i - 1, order);
-    (day_rises ? rises : falls) = true;
-  }
-  return !(rises && falls);
-}
-
-double TimeColumn::longest_step_s(DateOrder order) const {
-  double longest = 0;
-  for (std::size_t i = 1; i < days_.size(); ++i) {
-    if (days_[i] == days_[i - 1]) continue;
-    const double step = (day_at(i, order) - day_at(i - 1, order)) * kDayS +
-                        (seconds_[i] - seconds_[i - 1]);
-    longest = std::max(longest, std::abs(step));
-  }
-  return longest;
-}
-
-// The readings that the rows leave, the better founded alone where one is.
-std::vector<DateOrder> TimeColumn::orders() const {
-  std::vector<DateOrder> left;
-  for (const DateOrder order : {DateOrder::dmy, DateOrder::mdy, DateOrder::ymd}) {
-    if (reads(order)) left.push_back(order);
-  }
-  std::vector<DateOrder> running;
-  std::copy_if(left.begin(), left.end(), std::back_inserter(running),
-               [this](DateOrder order) { return runs_on(order); });
-  if (!running.empty()) left = std::move(running);
-  std::vector<DateOrder> continuous;
-  std::copy_if(left.begin(), left.end(), std::back_inserter(continuous),
-               [this](DateOrder order) { return longest_step_s(order) < kDayS; });
-  if (!continuous.empty()) left = std::move(continuous);
-  const auto same_days = [this](DateOrder a, DateOrder b) {
-    for (std::size_t i = 0; i < days_.size(); ++i) {
-      if (day_at(i, a) != day_at(i, b)) return false;
-    }
-    return true;
-  };
-  while (left.size() > 1 && same_days(left[0], left.back())) left.pop_back();
-  return left;
-}
-
-std::vector<TimeColumn::Reading> TimeColumn::ambiguity() const {
-  std::vector<Reading> readings;
-  if (form_ != TimeForm::kDate || days_.empty() || day_kind_ == Day::kKnown) {
-    return readings;
-  }
-  const std::vector<DateOrder> left = orders();
-  if (left.size() < 2) return readings;
-  std::size_t row = 0;
-  while (row + 1 < days_.size() && day_at(row, left[0]) == day_at(row, left[1])) ++row;
-  for (const DateOrder order : left) {
-    readings.push_back({order, date_text(day_at(row, order))});
-  }
-  return readings;
-}
-
-bool TimeColumn::unreadable() const {
-  return form_ == TimeForm::kDate && !days_.empty() && day_kind_ != Day::kKnown &&
-         orders().empty();
 }
 
 TimesOfRows TimeColumn::take() {
@@ -370,31 +271,6 @@ void TimeColumn::take_clock(TimesOfRows& out) {
       minutes
           ? "the times pass the full hour " + times + ": taken as the following hour"
           : "the time of day passes midnight " + times + ": taken as the following day");
-}
-
-void TimeColumn::take_dates(TimesOfRows& out) {
-  const DateOrder order = day_kind_ == Day::kKnown ? DateOrder::dmy : orders().front();
-  const std::int32_t first_day = day_at(0, order);
-  const double first = seconds_.front();
-  out.t.reserve(seconds_.size());
-  for (std::size_t i = 0; i < seconds_.size(); ++i) {
-    out.t.push_back(tidy((day_at(i, order) - first_day) * kDayS + (seconds_[i] - first)));
-  }
-  if (!note_.empty()) out.notes.push_back(note_);
-  if (!zone_word_.empty()) {
-    out.notes.push_back("the zone " + zone_word_ +
-                        " behind the times is not known: taken as local time");
-    out.zone_word = zone_word_;
-  }
-  out.dated = true;
-  out.zoned = has_zone_;
-  out.zone_min = static_cast<std::int16_t>(first_zone_.minutes);
-  out.open_zone = first_zone_.open;
-  if (strange_zone_) {
-    out.doubt = doubt_of_zones(zone_text(first_zone_), zone_text(*strange_zone_));
-  }
-  out.origin_day = first_day;
-  out.origin_seconds = first;
 }
 
 }  // namespace workbench

@@ -33,7 +33,8 @@ enum class TimeForm {
 ///
 /// An open order of day and month is decided by a number above 12, by time that runs on
 /// in one direction, and by dates that follow each other within a day in one
-/// reading only. Cost: 12 bytes a row and, for dates, about 80 ns.
+/// reading only. Where all rows are of one day it stays open, and the times are those of
+/// that day, whichever it is. Cost: 12 bytes a row and, for dates, about 80 ns.
 class TimeColumn {
  public:
   /// `unit_s`: seconds for one unit of the header; 0: none named.
@@ -66,8 +67,11 @@ class TimeColumn {
   /// Makes seconds of numbers beside dates, once all rows are in and before what follows.
   /// False: they are no times of day.
   [[nodiscard]] bool settle();
-  /// The readings between which the dates cannot decide, with what a date would be in
-  /// each; nothing: decided, or no order fits all rows.
+  /// The three numbers of the date of all rows, where there is one alone whose order they
+  /// leave open.
+  [[nodiscard]] std::optional<std::uint32_t> one_open_day() const;
+  /// The readings between which dates of several days cannot decide, with what a date
+  /// would be in each; nothing: decided, or no order fits all rows.
   struct Reading {
     DateOrder order;
     std::string date;  ///< "3 April 2026"

@@ -432,5 +432,38 @@ TEST(Csv, SomeColumnsBeginLateAndOthersPause) {
   EXPECT_EQ(r.y.back(), 399 % 5);
 }
 
+TEST(Csv, NamesAClockOfTwelveHours) {
+  const InputError error = error_of(
+      "Time,OP,PV\n2026-03-17 12:59:58,1,2\n2026-03-17 12:59:59,2,3\n"
+      "2026-03-17 01:00:00,3,4\n2026-03-17 01:00:01,4,5\n");
+  EXPECT_NE(error.advice.find("AM and PM"), std::string::npos) << error.advice;
+}
+
+TEST(Csv, TagsOfOneOpenDayAreReadOfTwoAsked) {
+  const auto text = [](const char* other) {
+    std::string out = "Tag,Time,Value\n";
+    for (const char* second : {"10", "11", "12"}) {
+      out += std::string("FIC101.OP,03/04/2026 08:00:") + second + ",4.5\nFIC101.PV," +
+             other + " 08:00:" + second + ",6.5\n";
+    }
+    return out;
+  };
+  const Recording one = parse(text("03/04/2026"));
+  EXPECT_EQ(one.size(), 3U);
+  EXPECT_EQ(one.start, "");
+  EXPECT_NE(error_of(text("04/03/2026")).advice.find("--date-order"), std::string::npos);
+}
+
+TEST(Csv, ReadsACellBehindTheLastNameByItsNumber) {
+  std::string text = "Time (s),Set,Current\n";
+  for (int k = 0; k < 12; ++k)
+    text += std::to_string(k) + ",1.5,2.5," + std::to_string(k % 4) + ",4.5\n";
+  CsvOptions options;
+  options.names.u = "#4";
+  options.names.y = "Current";
+  EXPECT_EQ(parse(text, options).u[3], 3);
+  EXPECT_NE(error_of(text).found.find("'#5'"), std::string::npos) << error_of(text).found;
+}
+
 }  // namespace
 }  // namespace workbench

@@ -39,7 +39,7 @@ TEST(TimeColumn, DecidesTheOrderOfDayAndMonthFromAllRows) {
 }
 
 TEST(TimeColumn, AsksWhereItStaysOpen) {
-  const auto readings = dates({"03/04/2026 10:00", "03/04/2026 10:01"}).ambiguity();
+  const auto readings = dates({"03/04/2026 10:00", "04/05/2026 10:01"}).ambiguity();
   ASSERT_EQ(readings.size(), 2U);
   EXPECT_EQ(readings[0].date, "3 April 2026");
   EXPECT_EQ(readings[1].date, "4 March 2026");
@@ -225,6 +225,26 @@ TEST(TimeColumn, TakesRoundedPartsOfADayAsDaysOrAsks) {
     EXPECT_NEAR(times.t[500] - times.t[0], 500, 1e-6) << decimals;
   }
   EXPECT_TRUE(taken(6, 40).doubt);
+}
+
+TEST(TimeColumn, ADayWhoseOrderIsOpenIsReadByItself) {
+  const auto column = [](const char* last) {
+    TimeColumn out(TimeForm::kDate, 0, false, std::nullopt);
+    for (const char* cell : {"03/04/2026 08:00:00", "03/04/2026 08:00:01", last}) {
+      EXPECT_TRUE(out.add(cell, "", 0));
+    }
+    return out;
+  };
+  TimeColumn one = column("03/04/2026 08:00:02");
+  EXPECT_TRUE(one.ambiguity().empty());
+  ASSERT_TRUE(one.one_open_day());
+  const TimesOfRows times = one.take();
+  EXPECT_FALSE(times.dated);
+  EXPECT_EQ(times.t.back(), 2);
+  ASSERT_EQ(times.notes.size(), 1U);
+  EXPECT_EQ(times.notes[0],
+            "the date may be 3 April 2026 or 4 March 2026: all times are of that day");
+  EXPECT_EQ(column("04/05/2026 08:00:00").ambiguity().size(), 2U);
 }
 
 }  // namespace

@@ -54,8 +54,8 @@ TEST(ServeColumnPreview, SaysWhyNothingIsTakenOfSeveralLoops) {
 
 TEST(ServeColumnPreview, AsksForTheOrderOfDatesAndTakesIt) {
   const std::string text =
-      "Time,OP,PV\n03/04/2026 10:00:00,1,2\n03/04/2026 10:00:01,2,3\n"
-      "03/04/2026 10:00:02,1,2\n";
+      "Time,OP,PV\n03/04/2026 10:00:00,1,2\n04/05/2026 10:00:00,2,3\n"
+      "05/06/2026 10:00:00,1,2\n";
   const json asked = preview(text);
   EXPECT_TRUE(asked["signals"].empty());
   EXPECT_NE(asked["problem"]["expected"].get<std::string>().find("dates"),

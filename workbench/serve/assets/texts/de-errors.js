@@ -54,6 +54,8 @@ export default {
   'the loop of {0}: {1}': 'den Kreis von {0}: {1}',
   'give each loop by itself; where both are one, name the columns with --u and --y': 'geben Sie jeden Kreis für sich; sind beide einer, nennen Sie die Spalten mit --u und --y',
   'numbers below 1 and {0} apart, which may be seconds or parts of a day': 'Zahlen unter 1 im Abstand {0}, die Sekunden oder Teile eines Tages sein können',
+  'export a clock of 24 hours, or AM and PM: this one begins anew after 12': 'exportieren Sie mit 24 Stunden oder AM und PM: Diese Uhr beginnt nach 12 von vorn',
+  'say which number is the day: --date-order dmy or --date-order mdy': 'sagen Sie, welche Zahl der Tag ist: --date-order dmy oder --date-order mdy',
   '{0}, which may be {1} or {2}': '{0}, was {1} oder {2} sein kann',
   'a picture ({0})': 'ein Bild ({0})',
   'another document': 'ein anderes Dokument',

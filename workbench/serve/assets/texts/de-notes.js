@@ -26,6 +26,7 @@ export default {
   '{0} and {1} overlap in time by {2} s: what both hold counts twice; export each time once': '{0} und {1} überschneiden sich um {2} s: Was beide enthalten, zählt doppelt; exportieren Sie jede Zeit einmal',
   '{0} of {1} marked as questionable: taken as they are': '{0} von {1} als fraglich gekennzeichnet: genommen, wie sie sind',
   'the times are rounded to {0} s: taken as {1} s apart': 'die Zeiten sind auf {0} s gerundet: genommen im Abstand {1} s',
+  'the date may be {0} or {1}: all times are of that day': 'das Datum kann {0} oder {1} sein: Alle Zeiten sind von diesem Tag',
   'judged between the long gaps: {0}': 'beurteilt zwischen den langen Lücken: {0}',
   '{0} between long gaps left out, too short to be judged: {1}': '{0} zwischen langen Lücken ausgelassen, zu kurz zum Beurteilen: {1}',
   '{0} to {1} s': '{0} bis {1} s',
