@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "ident/signal/oscillation_detector.hpp"
 #include "workbench/analysis/identification_json.hpp"
@@ -9,7 +11,11 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/recording_options.hpp"
+#include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/signal_suggestion.hpp"
+#include "workbench/recording/tag_file.hpp"
+#include "workbench/recording/text_file.hpp"
 
 namespace workbench::cli {
 namespace {
@@ -17,6 +23,7 @@ namespace {
 struct Options {
   RecordingSource source;
   std::string column = "u";
+  bool column_given = false;
   bool json = false;
 };
 
@@ -59,10 +66,61 @@ std::string human_text(const Report& report, const Recording& recording,
          '\n';
 }
 
-int detect(Options options) {
+// The signal of a file that holds one alone, unless another column was asked for.
+std::optional<Recording> read_only_signal(RecordingSource source, Column column,
+                                          bool column_given) {
+  const CsvOptions options = csv_options_of(source);
+  if (!source.dbc.empty() || !source.config.empty() || options.names.names_signals()) {
+    return std::nullopt;
+  }
+  const auto file =
+      tag_file(read_text_file(source.path, kMostBytes), source.path, options);
+  if (!file) return std::nullopt;
+  const Part part = column_name(file->tag).part;
+  const bool other = is_signal(part) && part != part_of(column);
+  if (column_given && other) return std::nullopt;
+  std::string& name = column == Column::u   ? source.u
+                      : column == Column::y ? source.y
+                      : column == Column::x ? source.x
+                                            : source.sp;
+  // Of a file that names its tag in each row, it is the first of its tags.
+  for (const std::string& number :
+       {'#' + std::to_string(file->value + 1), std::string("#1")}) {
+    name = number;
+    try {
+      Recording out = read(source);
+      out.resampling.notes.push_back("taken as the only signal of the file: " +
+                                     workbench::quoted(file->tag));
+      return out;
+    } catch (const std::exception&) {
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+// The column that the file has by its name; else the only signal, or what identify takes
+// for it beside the other one.
+Recording read_signal(RecordingSource source, Column column, bool column_given) {
+  source.required = {column};
+  try {
+    return read(source);
+  } catch (const InputError&) {
+    if (auto only = read_only_signal(source, column, column_given))
+      return std::move(*only);
+    if (column != Column::u && column != Column::y) throw;
+    try {
+      source.required = {Column::u, Column::y};
+      return read(source);
+    } catch (const InputError&) {
+    }
+    throw;
+  }
+}
+
+int detect(const Options& options) {
   const Column column = column_named(options.column);
-  options.source.required = {column};
-  const Recording recording = read(options.source);
+  const Recording recording = read_signal(options.source, column, options.column_given);
   ident::OscillationDetector<double> detector;
   for (const double value : recording.values(column)) detector.push(value);
   const Report report = detector.report();
@@ -84,8 +142,10 @@ void add_oscillation(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "one JSON object instead of text");
   command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return detect(*options); }; });
+  command->callback([&action, options, command] {
+    options->column_given = command->count("--column") > 0;
+    action = [options] { return detect(*options); };
+  });
 }
 
 }  // namespace workbench::cli
