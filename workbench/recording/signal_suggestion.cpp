@@ -4,8 +4,10 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <span>
 #include <string_view>
 
+#include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {
@@ -255,6 +257,21 @@ bool is_terminal(std::string_view piece) {
   return letters.size() < 2 || is_one_of(letters, kTerminals);
 }
 
+// 101, CH2: the channel of a recorder, not a unit of the plant.
+bool is_channel(std::string_view piece) {
+  constexpr std::size_t kFewestDigits = 3;
+  const std::size_t letters = piece.find_first_of("0123456789");
+  return is_terminal(piece) && letters != 1 &&
+         (letters > 0 || piece.size() >= kFewestDigits);
+}
+
+// 101 <FIC101.OP>, 102 <FIC101.PV>: one instrument on two channels.
+bool are_of_one_instrument(const ColumnName& a, const ColumnName& b) {
+  if (!is_channel(a.pieces.front()) || !is_channel(b.pieces.front())) return false;
+  const auto loop = loop_of_instrument(std::span(a.pieces).subspan(1));
+  return loop && loop == loop_of_instrument(std::span(b.pieces).subspan(1));
+}
+
 // Two names that do not say of which loop they are, or one that does not.
 bool may_be_one_loop(const ColumnName& a, const ColumnName& b) {
   const auto open = [](const ColumnName& name) {
@@ -262,7 +279,8 @@ bool may_be_one_loop(const ColumnName& a, const ColumnName& b) {
       return is_terminal(piece) || is_unit(piece) || is_signal(part_named(piece));
     });
   };
-  return a.tag.empty() || b.tag.empty() || (open(a) && open(b));
+  return a.tag.empty() || b.tag.empty() || (open(a) && open(b)) ||
+         are_of_one_instrument(a, b);
 }
 
 // A signal whose name says nothing, and nothing against `column`.

@@ -31,12 +31,15 @@ TEST(SignalSuggestion, TheOnlyOutputAndTheOnlyMeasuredValue) {
   EXPECT_EQ(only({"CH1[V] OUT", "CH2[V] PV"}), "0 1");
   EXPECT_EQ(only({"Durchfluss Ist", "Durchfluss Soll", "Reglerausgang"}), "2 0");
   EXPECT_EQ(only({"D102 PV", "D100 MV"}), "1 0");
+  EXPECT_EQ(only({"101 <FIC101.OP> (VDC)", "102 <FIC101.PV> (VDC)"}), "0 1");
 }
 
 TEST(SignalSuggestion, NotOfTwoLoops) {
   EXPECT_EQ(only({"FIC101.OP", "TIC102.PV"}), "");
   EXPECT_EQ(only({"FT_115", "LV_106"}), "");
   EXPECT_EQ(only({"U1:FIC101.OP", "U1:TIC102.PV"}), "");
+  EXPECT_EQ(only({"U1:FIC101.OP", "U2:FIC101.PV"}), "");
+  EXPECT_EQ(only({"101 <FIC101.OP>", "102 <TIC102.PV>"}), "");
   EXPECT_EQ(only({"10FIC101.OP", "10TIC102.PV"}), "");
   EXPECT_EQ(only({"Feed flow OP", "Reactor level PV"}), "");
   EXPECT_EQ(only({"OP", "FIC101.PV", "FIC102.PV"}), "");
