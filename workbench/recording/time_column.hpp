@@ -68,7 +68,7 @@ class TimeColumn {
   /// False: they are no times of day.
   [[nodiscard]] bool settle();
   /// The three numbers of the date of all rows, where there is one alone whose order they
-  /// leave open.
+  /// leave open, and the times run on in one direction.
   [[nodiscard]] std::optional<std::uint32_t> one_open_day() const;
   /// The readings between which dates of several days cannot decide, with what a date
   /// would be in each; nothing: decided, or no order fits all rows.

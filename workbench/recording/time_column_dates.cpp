@@ -104,7 +104,10 @@ std::optional<std::uint32_t> TimeColumn::one_open_day() const {
   const bool open =
       form_ == TimeForm::kDate && !days_.empty() && day_kind_ != Day::kKnown &&
       std::ranges::adjacent_find(days_, std::not_equal_to<>()) == days_.end();
-  return open ? std::optional(days_.front()) : std::nullopt;
+  // The hour of daylight saving needs its date.
+  const bool runs = open && (std::ranges::is_sorted(seconds_) ||
+                             std::ranges::is_sorted(seconds_, std::greater<>()));
+  return runs ? std::optional(days_.front()) : std::nullopt;
 }
 
 std::vector<TimeColumn::Reading> TimeColumn::ambiguity() const {

@@ -245,6 +245,7 @@ TEST(TimeColumn, ADayWhoseOrderIsOpenIsReadByItself) {
   EXPECT_EQ(times.notes[0],
             "the date may be 3 April 2026 or 4 March 2026: all times are of that day");
   EXPECT_EQ(column("04/05/2026 08:00:00").ambiguity().size(), 2U);
+  EXPECT_EQ(column("03/04/2026 07:00:02").ambiguity().size(), 2U);
 }
 
 }  // namespace
