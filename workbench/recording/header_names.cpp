@@ -166,7 +166,9 @@ bool is_remark_of_names(const std::vector<LineCell>& cells, std::size_t width) {
 }
 
 void name_the_rest(const LineTable& table, std::vector<LayoutColumn>& columns) {
-  if (!table.even() || columns.size() < 2) return;
+  // Commas between decimals would make as many cells.
+  const bool whole = table.separator() != ',' || table.style().decimal == '.';
+  if (!table.even() || columns.size() < 2 || !whole) return;
   for (std::size_t c = columns.size(); c < table.width(); ++c) {
     if (table.content(c) == Content::kNothing) return;
     LayoutColumn& column = columns.emplace_back();

@@ -43,7 +43,8 @@ void put_names_above(const std::vector<LineCell>& above,
                                       std::size_t width);
 
 /// Columns for cells behind the last name, where each row has as many: their texts are
-/// their numbers (#6), by which alone they are found.
+/// their numbers (#6), by which alone they are found. None where commas separate and no
+/// number has a point: the cells may be decimals.
 void name_the_rest(const LineTable& table, std::vector<LayoutColumn>& columns);
 
 }  // namespace workbench

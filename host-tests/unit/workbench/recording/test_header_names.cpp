@@ -91,6 +91,11 @@ TEST(HeaderNames, CellsBehindTheLastAreFoundByTheirNumber) {
   ASSERT_EQ(layout.columns.size(), 5U);
   EXPECT_EQ(layout.columns[4].name.text, "#5");
   EXPECT_TRUE(layout.columns[4].name.key.empty());
+  text = "Time (s),OP,PV\n";
+  for (int i = 10; i < 30; ++i) text += std::to_string(i) + ",52,624,110,386\n";
+  EXPECT_EQ(
+      layout_of(text, "f.csv", {{Column::t, Column::u, Column::y}, {}}).columns.size(),
+      3U);
 }
 
 }  // namespace
