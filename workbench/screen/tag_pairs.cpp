@@ -152,8 +152,8 @@ class Pairer {
   }
 
   void take_usual_names() {
-    for (const bool by_first_piece : {false, true}) {
-      for (Parts& parts : grouped(by_first_piece)) take(parts);
+    for (const bool by_loop : {false, true}) {
+      for (Parts& parts : grouped(by_loop)) take(parts);
     }
   }
 
@@ -195,13 +195,13 @@ class Pairer {
     out_.loops.push_back(std::move(loop));
   }
 
-  [[nodiscard]] std::vector<Parts> grouped(bool by_first_piece) const {
+  [[nodiscard]] std::vector<Parts> grouped(bool by_loop) const {
     std::vector<Parts> out;
     std::unordered_map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const ColumnName& name = candidates_[i].name;
       if (!is_signal(name.part) || used_[i] || !candidates_[i].measured) continue;
-      const std::string& key = by_first_piece ? name.loop : name.tag;
+      const std::string& key = by_loop ? name.loop : name.tag;
       const auto [at, is_new] = known.try_emplace(key, out.size());
       if (is_new) out.push_back({name.prefix, {}});
       out[at->second].of[name.part].push_back(i);
