@@ -30,6 +30,17 @@ double last_digit(const std::vector<double>& values) {
   return 0;
 }
 
+// Steps that are alike to a thousandth and no half seconds of a day, as of a fast
+// sampler.
+bool are_alike_in_seconds(const std::vector<double>& values, double step) {
+  const bool alike =
+      std::adjacent_find(values.begin(), values.end(), [step](double a, double b) {
+        return std::abs(b - a - step) > kRounding * step;
+      }) == values.end();
+  const double halves = 2 * step * kDayS;
+  return alike && std::abs(halves - std::round(halves)) > kRounding * halves;
+}
+
 }  // namespace
 
 std::optional<RoundedCount> rounded_count(const std::vector<double>& values,
@@ -77,7 +88,7 @@ bool are_rounded_days(const std::vector<double>& values) {
 bool may_be_parts_of_day(const std::vector<double>& values) {
   constexpr double kShortest = 1e-3;
   const double step = median_step(values);
-  return step > 0 && step < kShortest &&
+  return step > 0 && step < kShortest && !are_alike_in_seconds(values, step) &&
          std::ranges::all_of(values, [](double v) { return v >= 0 && v < 1; });
 }
 

@@ -15,10 +15,9 @@ struct RoundedCount {
 };
 
 /// The spacing of at least 20 numbers of `unit_s` seconds each, a minute or more, of at
-/// most nine decimals,
-/// that all lie within one last decimal of a straight line of whole seconds a row, where
-/// that decimal is more than a thousandth of the spacing. Nothing: not so, or the numbers
-/// are too few to tell which. O(n).
+/// most nine decimals, that all lie within one last decimal of a straight line of whole
+/// seconds a row, where that decimal is more than a thousandth of the spacing. Nothing:
+/// not so, or the numbers are too few to tell which. O(n).
 [[nodiscard]] std::optional<RoundedCount> rounded_count(const std::vector<double>& values,
                                                         double unit_s);
 
@@ -31,7 +30,7 @@ struct RoundedCount {
 [[nodiscard]] bool are_rounded_days(const std::vector<double>& values);
 
 /// True for numbers from 0 to below 1, less than a thousandth apart: parts of a day as
-/// well as seconds.
+/// well as seconds. Not so where all steps are alike and no half seconds of a day.
 [[nodiscard]] bool may_be_parts_of_day(const std::vector<double>& values);
 
 }  // namespace workbench

@@ -58,7 +58,9 @@ TEST(RoundedDays, AreSpacedAsExportsAre) {
 }
 
 TEST(PartsOfADay, AreBelowOneAndCloseTogether) {
-  EXPECT_TRUE(may_be_parts_of_day({0.5, 0.5001, 0.5002}));
+  EXPECT_TRUE(may_be_parts_of_day({0.5, 0.5001157, 0.5002315})) << "10 s, or 0.1 ms";
+  EXPECT_TRUE(may_be_parts_of_day({0.5, 0.5001, 0.5003}));
+  EXPECT_FALSE(may_be_parts_of_day({0.0027, 0.00271, 0.00272})) << "0.864 s, or 10 us";
   EXPECT_FALSE(may_be_parts_of_day({0.5, 0.501, 0.502}));
   EXPECT_FALSE(may_be_parts_of_day({1, 1.0001, 1.0002}));
   EXPECT_FALSE(may_be_parts_of_day({}));
