@@ -10,7 +10,7 @@
 #include "workbench/analysis/oscillation_json.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/identification_text.hpp"
-#include "workbench/model/base/joined.hpp"
+#include "workbench/model/base/one_loop.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/stopped.hpp"
 
@@ -30,6 +30,8 @@ class Identified {
       views.push_back(recording->view());
       named.emplace_back().name = views.back().name;
       named.back().units = views.back().units;
+      named.back().loop = views.back().loop;
+      named.back().tags = views.back().tags;
       for (const workbench::Column column :
            {workbench::Column::u, workbench::Column::y}) {
         if (views.back().has(column)) continue;
@@ -38,7 +40,7 @@ class Identified {
                                     "no " + name, "choose a recording that has them");
       }
     }
-    workbench::check_units(named);
+    workbench::check_one_loop(named);
     run_long([&](const std::stop_token& stop) {
       analysis_ = std::make_unique<workbench::Analysis>(
           views, [&stop](int, int) { workbench::check_stop(stop); });

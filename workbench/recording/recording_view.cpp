@@ -12,6 +12,7 @@ RecordingView::RecordingView(const Recording& recording)
       x(recording.x),
       units(recording.units),
       tags(recording.tags),
+      loop(recording.loop),
       start(recording.start),
       notes(recording.resampling.notes),
       gaps(recording.resampling.gaps) {}

@@ -28,6 +28,7 @@ struct RecordingView {
   std::span<const double> x;
   std::array<std::string, kColumns> units;  ///< by Column; "" unknown
   std::string tags;                         ///< as Recording::tags
+  std::string loop;                         ///< as Recording::loop
   std::string start;                        ///< as Recording::start
   std::vector<std::string> notes;           ///< what was repaired, one sentence each
   std::vector<SampleRange> gaps;            ///< as ResampleReport::gaps
