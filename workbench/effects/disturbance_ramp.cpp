@@ -23,7 +23,7 @@ constexpr Description kDescription{
     .needs_u = false,
 };
 
-// Whether u goes one way from `start_s` on, in a straight line.
+// (W37) Whether u goes one way from `start_s` on, in a straight line.
 bool sweeps_from(const Situation& s, double start_s) {
   constexpr double kStraight = 0.95;  // of the variance
   constexpr double kRetreat = 0.02;   // of the span of u

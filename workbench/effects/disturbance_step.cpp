@@ -43,7 +43,7 @@ bool lacks_others(const Situation& s) {
   return great_jumps_of_u(s).size() <= kLone;
 }
 
-// The answer to a jump of u is under way.
+// (W37) The answer to a jump of u is under way.
 bool is_answering(const Situation& s, double time_s) {
   constexpr double kLags = 3;
   constexpr double kMost = 0.25;  // of the recording
