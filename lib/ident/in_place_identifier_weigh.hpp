@@ -297,12 +297,10 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_setpoint() {
         std::none_of(setpoint_.begin(), setpoint_.end(), moved)) {
       return;
     }
-    EvidenceWindow<Real> window = evidence_window(valve_stage().sums);
-    window.setpoint = setpoint_;
-    closed_loop().start_with(
-        window,
+    closed_loop().start_beside_setpoint(
+        evidence_window(valve_stage().sums),
         searched_is_stronger(e) ? evidence_stage().search.best().valve() : chosen_valve(),
-        0);
+        setpoint_);
     stage_ = Stage::kBesideSetpoint;
   }
 }

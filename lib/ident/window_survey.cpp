@@ -92,8 +92,10 @@ void WindowSurvey<Real>::measure(Identification<Real>& result) {
   movement_ = measure_movement<Real>(window_.u, result.oscillation, of_u_.factor,
                                      window_.ascending);
   result.evidence.reversals = movement_.reversals;
-  result.evidence.drifts =
-      !result.oscillation.detected && movement_.swing < Real(kReversalShare);
+  if constexpr (kStemSearch) {
+    result.evidence.drifts =
+        !result.oscillation.detected && movement_.swing < Real(kReversalShare);
+  }
   result.cycles = movement_.cycles;
   stage_ = Stage::kController;
 }

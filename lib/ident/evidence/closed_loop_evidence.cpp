@@ -36,6 +36,14 @@ void ClosedLoopEvidence<Real>::start_with(const EvidenceWindow<Real>& window,
 }
 
 template <class Real>
+void ClosedLoopEvidence<Real>::start_beside_setpoint(const EvidenceWindow<Real>& window,
+                                                     const StickSlipValve<Real>& valve,
+                                                     std::span<const Real> setpoint) {
+  start_with(window, valve, 0);
+  sums().stand_beside({setpoint, thinning_});
+}
+
+template <class Real>
 bool ClosedLoopEvidence<Real>::start_beside_best(const EvidenceWindow<Real>& window) {
   if (best_rung_ < 0) {
     return false;
@@ -89,7 +97,7 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
 // Leaves what is predicted at 0 where the window is too short.
 template <class Real>
 void ClosedLoopEvidence<Real>::begin_sums(std::span<const LagBin> bins) {
-  sums().start(lag_bins_for(count_, bins), setpoint_of(window_, thinning_));
+  sums().start(lag_bins_for(count_, bins));
   const std::size_t reach = sums().reach();
   predicted_ = count_ < reach + kFewestRows ? 0 : count_ - reach;
   next_ = reach;

@@ -29,18 +29,7 @@ struct EvidenceWindow {
   Real period = 0;  ///< of u, samples
   Real swing = 1;   ///< usual distance of two turning points, unit of u
   Real span = 1;    ///< of u, unit of u: the ladder's
-  std::span<const Real> setpoint = {};  ///< as long, any unit; empty: not looked at
 };
-
-/// Its setpoint at the rate of what is predicted.
-template <class Real>
-[[nodiscard]] ThinnedSignal<Real> setpoint_of(const EvidenceWindow<Real>& window,
-                                              std::size_t thinning) {
-  if (window.setpoint.empty()) {
-    return {};
-  }
-  return {window.setpoint, thinning, window.setpoint[0]};
-}
 
 /// Samples of the window that make one of those that are predicted: fewer where u leaps
 /// within them, which predictions by means cannot follow. The small sizes hardly thin.
@@ -142,6 +131,11 @@ class ClosedLoopEvidence {
   /// parameters; by these lags.
   void start_with(const EvidenceWindow<Real>& window, const StickSlipValve<Real>& valve,
                   int parameters, std::span<const LagBin> bins = kLagBins);
+  /// Where stems are searched: as start_with, without a cost, and the setpoint stands
+  /// beside y (E20); as long as u, in any unit.
+  void start_beside_setpoint(const EvidenceWindow<Real>& window,
+                             const StickSlipValve<Real>& valve,
+                             std::span<const Real> setpoint);
   /// What the best valve of the ladder that is done tells beside u, then what bands far
   /// apart do, until one tells enough (E17), by coarse lags; false where the ladder has
   /// no valve.

@@ -17,13 +17,25 @@ constexpr double kDependent = 2e-6;
 }  // namespace
 
 template <class Real>
-void OneStepSums<Real>::start(std::span<const LagBin> bins,
-                              const ThinnedSignal<Real>& setpoint) {
+void OneStepSums<Real>::start(std::span<const LagBin> bins) {
   bins_ = bins;
   sums_ = {};
   if constexpr (kStemSearch) {
     more_.second = {};
+    more_.setpoint_bins = {};
+  }
+}
+
+template <class Real>
+void OneStepSums<Real>::stand_beside(const ThinnedSignal<Real>& setpoint) {
+  if constexpr (kStemSearch) {
+    const auto within_reach = [this](const LagBin& bin) {
+      return bin.last <= bins_.back().last;
+    };
     more_.setpoint = setpoint;
+    more_.setpoint_bins = kSetpointLagBins;
+    more_.setpoint_bins = more_.setpoint_bins.first(static_cast<std::size_t>(
+        std::count_if(kSetpointLagBins.begin(), kSetpointLagBins.end(), within_reach)));
   }
 }
 
@@ -52,7 +64,7 @@ void OneStepSums<Real>::lay(std::span<const LagBin> bins, const ThinnedSignal<Re
         sum += *newest++;
       }
       const Real mean = sum * share;
-      rows[k][column + b] = b == 0 ? mean - v.offset : means[k] - mean;
+      rows[k][column + b] = b == 0 ? mean : means[k] - mean;
       means[k] = mean;
       for (std::size_t s = 0; s < thinning; ++s) {
         sum -= *oldest++;
@@ -61,11 +73,18 @@ void OneStepSums<Real>::lay(std::span<const LagBin> bins, const ThinnedSignal<Re
   }
 }
 
+// From where it began: of a level far from 0 little that it moves by would be believed.
 template <class Real>
 void OneStepSums<Real>::lay_setpoint(std::size_t t, std::size_t count, Rows& rows,
                                      std::size_t column) const {
   if constexpr (kStemSearch) {
-    lay(setpoint_bins(), more_.setpoint, t, count, rows, column);
+    if (more_.setpoint_bins.empty()) {
+      return;
+    }
+    lay(more_.setpoint_bins, more_.setpoint, t, count, rows, column);
+    for (std::size_t k = 0; k < count; ++k) {
+      rows[k][column] -= more_.setpoint.values[0];
+    }
   }
 }
 

@@ -2,7 +2,6 @@
 // follows, for u or for any stem in its place.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -13,12 +12,11 @@
 
 namespace ident {
 
-/// A signal of which every `thinning` samples count as their mean, less `offset`.
+/// A signal of which every `thinning` samples count as their mean.
 template <class Real>
 struct ThinnedSignal {
   std::span<const Real> values;
   std::size_t thinning = 1;
-  Real offset = 0;
 };
 
 /// y(t) − y(t−1) regressed on the lags (lag_bins.hpp) of y, a constant, and the lags of
@@ -44,10 +42,12 @@ class OneStepSums {
   static constexpr std::size_t kColumns =
       2 * kLagBins.size() + 2 + (kStemSearch ? kSetpointLagBins.size() : 0);
 
-  /// Begins anew with these of lag_bins.hpp, at most kLagBins.size(). `setpoint`: as long
-  /// as y times its thinning, or empty: it rests or is not known. Both must outlive the
-  /// sums.
-  void start(std::span<const LagBin> bins, const ThinnedSignal<Real>& setpoint = {});
+  /// Begins anew with these of lag_bins.hpp, at most kLagBins.size(); they must outlive
+  /// the sums.
+  void start(std::span<const LagBin> bins);
+  /// Where stems are searched, right after `start`: a setpoint as long as y times its
+  /// thinning, which must outlive the sums, stands beside y.
+  void stand_beside(const ThinnedSignal<Real>& setpoint);
   /// Rows first … last − 1 of y; `first` at least reach().
   void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
   void begin_input();
@@ -95,22 +95,11 @@ class OneStepSums {
   }
   // Columns that are the same for every z.
   [[nodiscard]] std::size_t outputs() const {
-    return bins_.size() + 2 + setpoint_bins().size();
-  }
-  // As far back as the others.
-  [[nodiscard]] std::span<const LagBin> setpoint_bins() const {
-    std::span<const LagBin> bins;
     if constexpr (kStemSearch) {
-      if (!more_.setpoint.values.empty()) {
-        const auto known = [this](const LagBin& bin) {
-          return bin.last <= bins_.back().last;
-        };
-        bins = kSetpointLagBins;
-        bins = bins.first(
-            static_cast<std::size_t>(std::count_if(bins.begin(), bins.end(), known)));
-      }
+      return bins_.size() + 2 + more_.setpoint_bins.size();
+    } else {
+      return bins_.size() + 2;
     }
-    return bins;
   }
   [[nodiscard]] std::size_t columns() const {
     return outputs() + inputs() * bins_.size();
@@ -154,6 +143,7 @@ class OneStepSums {
     Products noise;
     ThinnedSignal<Real> second;
     ThinnedSignal<Real> setpoint;
+    std::span<const LagBin> setpoint_bins;  // empty: no setpoint
   };
   struct NoMore {};
   [[no_unique_address]] std::conditional_t<kStemSearch, More, NoMore> more_;

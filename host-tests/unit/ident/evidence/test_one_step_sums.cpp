@@ -344,13 +344,14 @@ TEST(OneStepSums, ASetpointStandsBesideEverySignal) {
   const Signal z = noise(random, n);
   OneStepSums<double> sums;
   const auto error_with = [&](const ThinnedSignal<double>& setpoint, const Signal& of) {
-    sums.start(kLagBins, setpoint);
+    sums.start(kLagBins);
+    if (!setpoint.values.empty()) sums.stand_beside(setpoint);
     sums.add_output(y, sums.reach(), n);
     sums.begin_input();
     sums.add_input(y, of, sums.reach(), n);
     return sums.error();
   };
-  const ThinnedSignal<double> known{sp, 1, sp[0]};
+  const ThinnedSignal<double> known{sp};
   EXPECT_GT(error_with(known, sp), 0.7 * error_with(known, z)) << "in coarser lags";
   const double without = error_with({}, z);
   const double with = error_with(known, z);
