@@ -7,6 +7,7 @@
 #include "workbench/recording/clock_digits.hpp"
 #include "workbench/recording/date_count.hpp"
 #include "workbench/recording/date_digits.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/rounded_count.hpp"
 #include "workbench/recording/time_spelling.hpp"
@@ -166,7 +167,9 @@ void TimeColumn::take_bare(TimesOfRows& out, double& scale) {
     return;
   }
   if (!seconds_only_ && may_be_parts_of_day(seconds_)) {
-    out.doubt = doubt_of_days(number(step));
+    out.doubt = doubt_of_days(
+        filled("numbers below 1 and {0} apart, which may be seconds or parts of a day",
+               {number(step)}));
     return;
   }
   out.bare_step_s = step;
@@ -181,11 +184,9 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
   const std::optional<DateCount> count = date_count(seconds_, unit_s_, seconds_only_);
   if (!count && take_digits(out)) return;
   if (count && count->open) {
-    out.doubt = {"times with one meaning",
-                 number(seconds_.front(), 9) + " and numbers " +
-                     number(median_step(seconds_)) +
-                     " apart, which may be seconds of a day or days as Excel counts them",
-                 doubt_of_days("").advice};
+    out.doubt = doubt_of_days(
+        number(seconds_.front(), 9) + " and numbers " + number(median_step(seconds_)) +
+        " apart, which may be seconds of a day or days as Excel counts them");
     return;
   }
   double scale = count ? count->unit_s : unit_s_ > 0 ? unit_s_ : 1;

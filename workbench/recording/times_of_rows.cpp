@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "workbench/recording/filled.hpp"
-
 namespace workbench {
 namespace {
 
@@ -34,10 +32,8 @@ TimesOfRows::Doubt doubt_of_zones(const std::string& a, const std::string& b) {
           "export the times in one zone, or with offsets, as 14:30:00+08:00"};
 }
 
-TimesOfRows::Doubt doubt_of_days(const std::string& step) {
-  return {"times with one meaning",
-          filled("numbers below 1 and {0} apart, which may be seconds or parts of a day",
-                 {step}),
+TimesOfRows::Doubt doubt_of_days(const std::string& found) {
+  return {"times with one meaning", found,
           "say which after the name: --time \"NAME [s]\" or --time \"NAME [d]\""};
 }
 

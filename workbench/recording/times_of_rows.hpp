@@ -36,8 +36,8 @@ struct TimesOfRows {
   std::vector<std::string> notes;
 };
 
-/// Numbers below 1 and `step` apart, which may be seconds or parts of a day.
-[[nodiscard]] TimesOfRows::Doubt doubt_of_days(const std::string& step);
+/// What is `found`: seconds as well as days.
+[[nodiscard]] TimesOfRows::Doubt doubt_of_days(const std::string& found);
 
 /// What is `found`: min:s as well as h:min.
 [[nodiscard]] TimesOfRows::Doubt doubt_of_clock(const std::string& found);

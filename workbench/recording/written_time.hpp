@@ -34,6 +34,9 @@ struct WrittenTime {
   /// Of the day; outside 0 to 86400 after a zone, and where time elapsed. Two numbers
   /// count as hours and minutes here.
   double seconds = 0;
+
+  /// kKnown: of day and clock, since 1 January 1970, s.
+  [[nodiscard]] double since_1970_s() const { return day * 86400.0 + seconds; }
 };
 
 /// Reads

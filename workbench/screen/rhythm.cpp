@@ -64,7 +64,7 @@ std::vector<float> stretch_of(const std::vector<double>& values, double step,
 bool clock_seconds(const std::string& start, double& seconds) {
   const std::optional<WrittenTime> time = written_time(start);
   if (!time || time->kind != WrittenTime::Day::kKnown || !time->has_clock) return false;
-  seconds = time->day * 86400.0 + time->seconds;
+  seconds = time->since_1970_s();
   return true;
 }
 

@@ -47,10 +47,9 @@ struct Span {
 };
 
 std::optional<Span> span_of(const Recording& recording) {
-  constexpr double kDayS = 86400;
   const std::optional<WrittenTime> start = written_time(recording.start);
   if (!start || start->kind != WrittenTime::Day::kKnown) return std::nullopt;
-  const double first = start->day * kDayS + start->seconds;
+  const double first = start->since_1970_s();
   const auto samples = static_cast<double>(recording.size());
   return Span{first, first + samples * recording.period_s, start->has_zone};
 }
