@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 
 namespace workbench::effects {
 
@@ -29,6 +30,57 @@ std::vector<Values> lag_starts(const Situation& situation) {
 
 Excitation moves_of_u(const Situation& situation) {
   return {count_moves(situation.u, situation.u_span() / 8), "moves of u", kLeastMoves};
+}
+
+Excitation none_between() {
+  return {0, "levels of u between its lowest and its highest", kLeastMoves, false};
+}
+
+Excitation reversals_beyond(const Situation& situation, double band,
+                            std::string_view what) {
+  if (takes_two_values(situation)) return none_between();
+  return {reversals_of_u(situation, std::max(band, situation.u_span() / 50)), what,
+          kLeastMoves, turns(situation)};
+}
+
+bool is_overtone_of_u(const Situation& s, double period_s) {
+  constexpr double kHardlyMore = 0.9;  // of the variance
+  std::vector<double> u(s.u.begin(), s.u.end());
+  const double mean = std::reduce(u.begin(), u.end()) / static_cast<double>(u.size());
+  for (double& v : u) v -= mean;
+  for (const double multiple : {2.0, 3.0, 4.0, 5.0}) {
+    for (const double nearby : {0.95, 0.975, 1.0, 1.025, 1.05}) {
+      const double swing_s = multiple * nearby * period_s;
+      if (line_share(u, s.period_s, swing_s) > kHardlyMore) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<double> great_jumps_of_u(const Situation& s) {
+  constexpr double kGreat = 0.25;  // of the span of u
+  constexpr std::size_t kFew = 10;
+  std::vector<double> out;
+  for (std::size_t k = 1; k < s.samples(); ++k) {
+    if (std::abs(s.u[k] - s.u[k - 1]) < kGreat * s.u_span()) continue;
+    out.push_back(static_cast<double>(k) * s.period_s);
+  }
+  return out.size() <= kFew ? out : std::vector<double>{};
+}
+
+bool has_lone_move(const Situation& s) {
+  constexpr std::size_t kLone = 2;
+  return great_jumps_of_u(s).size() <= kLone;
+}
+
+bool answers_lone_move(const Situation& s, double time_s) {
+  constexpr double kLags = 3;
+  constexpr double kMost = 0.25;  // of the recording
+  const double lasts =
+      std::min(kLags * (s.first_lag_s + s.second_lag_s), kMost * s.duration_s());
+  return has_lone_move(s) && std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
+           return jump_s <= time_s && time_s < jump_s + lasts;
+         });
 }
 
 SearchedParameter searched_stem_start(const Situation& situation, std::string_view name,

@@ -23,6 +23,31 @@ inline constexpr std::string_view kLagSignature =
 /// Moves of u by an eighth of its span, either way, for what any move of u shows.
 [[nodiscard]] Excitation moves_of_u(const Situation& situation);
 
+/// Reversals of u that a stem with a stick band or gap shows at; of a u that takes two
+/// values none does.
+[[nodiscard]] Excitation reversals_beyond(const Situation& situation, double band,
+                                          std::string_view what);
+
+/// Where u takes two values: that it has none between them, of which an effect would show
+/// at least two.
+[[nodiscard]] Excitation none_between();
+
+/// (W26) True where u is hardly more than one swing, of two to five such periods.
+[[nodiscard]] bool is_overtone_of_u(const Situation& situation, double period_s);
+/// What then speaks against whatever swings with the period.
+inline constexpr std::string_view kOvertoneOfU =
+    "u swings with a multiple of this period, and friction or a curve makes such "
+    "overtones of a swing, too: they need steps of u to be told apart";
+
+/// Times of the great jumps of u, in s; empty where they are more than ten.
+[[nodiscard]] std::vector<double> great_jumps_of_u(const Situation& situation);
+
+/// At most two great jumps of u: none tells how the process answers another one.
+[[nodiscard]] bool has_lone_move(const Situation& situation);
+
+/// (W37) At `time_s` the answer to such a lone move is under way.
+[[nodiscard]] bool answers_lone_move(const Situation& situation, double time_s);
+
 /// An effect that any move of u shows.
 class ShownByMoves : public Effect {
  public:

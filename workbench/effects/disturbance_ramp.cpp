@@ -76,6 +76,9 @@ class Ramp final : public Effect {
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
+    if (answers_lone_move(s, p[0])) {
+      return "it begins behind the one move of u: a late answer to it looks the same";
+    }
     return sweeps_from(s, p[0]) ? "u moves as steadily: a valve or process that answers "
                                   "less of it there looks the same"
                                 : "";

@@ -12,18 +12,6 @@ namespace {
 
 constexpr double kNear = 0.02;  // of the recording
 
-// Times of the great jumps of u; empty where they are many.
-std::vector<double> great_jumps_of_u(const Situation& s) {
-  constexpr double kGreat = 0.25;  // of the span of u
-  constexpr std::size_t kFew = 10;
-  std::vector<double> out;
-  for (std::size_t k = 1; k < s.samples(); ++k) {
-    if (std::abs(s.u[k] - s.u[k - 1]) < kGreat * s.u_span()) continue;
-    out.push_back(static_cast<double>(k) * s.period_s);
-  }
-  return out.size() <= kFew ? out : std::vector<double>{};
-}
-
 bool u_jumps_near(const Situation& s, double time_s) {
   return std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
     return std::abs(jump_s - time_s) < kNear * s.duration_s();
@@ -34,23 +22,6 @@ bool u_jumps_near(const Situation& s, double time_s) {
 bool u_jumps_before(const Situation& s, double time_s) {
   return std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
     return jump_s > time_s - kNear * s.duration_s() && jump_s <= time_s + s.period_s;
-  });
-}
-
-// Of so few moves of u none tells how the process answers another one.
-bool lacks_others(const Situation& s) {
-  constexpr std::size_t kLone = 2;
-  return great_jumps_of_u(s).size() <= kLone;
-}
-
-// (W37) The answer to a jump of u is under way.
-bool is_answering(const Situation& s, double time_s) {
-  constexpr double kLags = 3;
-  constexpr double kMost = 0.25;  // of the recording
-  const double lasts =
-      std::min(kLags * (s.first_lag_s + s.second_lag_s), kMost * s.duration_s());
-  return std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
-    return jump_s <= time_s && time_s < jump_s + lasts;
   });
 }
 
@@ -186,7 +157,7 @@ class Step final : public Effect {
     // What comes through the process makes no controller jump.
     const auto jumps = p[kThroughProcess] < 0.5 ? u_jumps_before : u_jumps_near;
     if (!passes(p)) {
-      return lacks_others(s) && (jumps(s, p[kTime]) || is_answering(s, p[kTime]))
+      return (has_lone_move(s) && jumps(s, p[kTime])) || answers_lone_move(s, p[kTime])
                  ? "u jumps where it comes: the process may answer otherwise there"
                  : "";
     }

@@ -77,8 +77,7 @@ class Oscillatory final : public Effect {
              "answers as smoothly";
     }
     if (is_overtone_of_u(s, p[0])) {
-      return "u swings with a multiple of this period, and friction or a curve makes "
-             "such overtones of a swing, too: they need steps of u to be told apart";
+      return std::string(kOvertoneOfU);
     }
     if (is_left_alone(s, p[0])) return "";
     const StepResponse seen =
@@ -134,20 +133,6 @@ class Oscillatory final : public Effect {
       swing = std::max(swing, *at - least);
     }
     return swing > kLeast * *peak;
-  }
-  // (W26) u is hardly more than one swing, of two to five such periods.
-  static bool is_overtone_of_u(const Situation& s, double period_s) {
-    constexpr double kHardlyMore = 0.9;  // of the variance
-    std::vector<double> u(s.u.begin(), s.u.end());
-    const double mean = std::reduce(u.begin(), u.end()) / static_cast<double>(u.size());
-    for (double& v : u) v -= mean;
-    for (const double multiple : {2.0, 3.0, 4.0, 5.0}) {
-      for (const double nearby : {0.95, 0.975, 1.0, 1.025, 1.05}) {
-        const double swing_s = multiple * nearby * period_s;
-        if (line_share(u, s.period_s, swing_s) > kHardlyMore) return true;
-      }
-    }
-    return false;
   }
   // Most of what u does within two such periods lies near this one.
   static bool swings_with(const Situation& s, double period_s) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/filled.hpp"
@@ -29,10 +31,18 @@ class SecondLag final : public LagEffect {
     out.front().high = situation.duration_s();
     return out;
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {
+    constexpr double kLong = 0.5;  // of the recording
+    const double faster = std::min(p[0], s.first_lag_s);
     return filled("The output starts to move gently, as behind a second lag of {0} s.",
-                  {number(p[0], 3)});
+                  {number(p[0], 3)}) +
+           (faster > kLong * s.duration_s()
+                ? std::string(
+                      " Both lags are about as long as the recording: the process may "
+                      "integrate instead, once or twice. Tune by neither before a "
+                      "recording in which the output settles.")
+                : std::string());
   }
   void form(std::span<const double> p, ProcessShape& shape) const override {
     shape.second_lag_s = p[0];

@@ -64,9 +64,40 @@ double tolerance_of(std::span<const double> y, std::span<const std::size_t> poin
   return off.empty() ? 0 : quantile(off, kNear);
 }
 
+// (W38) Whether a coarse resolution makes the straight pieces: a slow signal then moves
+// by the same few steps for a while, and bends by one or two of them.
+bool bends_by_steps(std::span<const double> y) {
+  constexpr double kFew = 10;    // steps a move, to be counted
+  constexpr double kOff = 0.15;  // of a step, by rounding
+  constexpr double kMost = 0.9;  // of the moves
+  constexpr double kBend = 2.5;  // steps
+  const double straight = ident::measure_differences(y).straight;
+  std::vector<double> moves;
+  std::vector<double> bends;
+  for (std::size_t k = 1; k < y.size(); ++k) {
+    const double move = y[k] - y[k - 1];
+    if (std::abs(move) > straight) moves.push_back(std::abs(move));
+    if (k < 2) continue;
+    const double bend = std::abs(move - (y[k - 1] - y[k - 2]));
+    if (bend > straight) bends.push_back(bend);
+  }
+  if (moves.empty() || bends.empty()) return false;
+  const double step = quantile(moves, 0.05);
+  double few = 0;
+  double whole = 0;
+  for (const double move : moves) {
+    if (move > (kFew + kOff) * step) continue;
+    ++few;
+    whole += std::abs(move / step - std::round(move / step)) < kOff;
+  }
+  return whole > kMost * few && 2 * few > static_cast<double>(moves.size()) &&
+         quantile(bends, 0.5) < kBend * step;
+}
+
 // Straight pieces of y; or shorter ones, where u consists of them, too.
 bool is_interpolated(const Situation& s) {
   constexpr double kMuch = 0.3;  // of the samples, not stored
+  if (bends_by_steps(s.y)) return false;
   if (ident::find_storage(s.y).storage == ident::Storage::kInterpolated) {
     return true;
   }

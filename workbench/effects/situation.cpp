@@ -139,6 +139,17 @@ bool turns(const Situation& situation) {
   return reversals_of_u(situation, kSmall * situation.u_span()) > 0;
 }
 
+bool takes_two_values(const Situation& situation) {
+  constexpr double kNear = 0.02;     // of the span of u
+  constexpr double kPassing = 0.02;  // of the samples
+  const double reach = kNear * situation.u_span();
+  const auto between = std::ranges::count_if(situation.u, [&](double u) {
+    return u > situation.u_low + reach && u < situation.u_high - reach;
+  });
+  return static_cast<double>(between) <=
+         kPassing * static_cast<double>(situation.samples());
+}
+
 int count_moves(std::span<const double> signal, double size) {
   int count = 0;
   double anchor = signal.empty() ? 0 : signal[0];

@@ -47,8 +47,7 @@ class Backlash final : public Effect {
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
-    return {reversals_of_u(s, std::max(p[0], s.u_span() / 50)),
-            "reversals of u wider than the gap", kLeastMoves, turns(s)};
+    return reversals_beyond(s, p[0], "reversals of u wider than the gap");
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

@@ -65,6 +65,10 @@ class Characteristic final : public ShownByMoves {
     add(-1, 1, {0, 0, 0, -1, -2});        // full before it is open
     return out;
   }
+  [[nodiscard]] Excitation excitation(const Situation& s,
+                                      std::span<const double> p) const override {
+    return takes_two_values(s) ? none_between() : ShownByMoves::excitation(s, p);
+  }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {
     return words(p);

@@ -85,9 +85,8 @@ class Stiction final : public Effect {
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
-    const double band = p[0] + std::max(p[1], p[2]);
-    return {reversals_of_u(s, std::max(band, s.u_span() / 50)),
-            "reversals of u wider than the stick band", kLeastMoves, turns(s)};
+    return reversals_beyond(s, p[0] + std::max(p[1], p[2]),
+                            "reversals of u wider than the stick band");
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
                                      std::span<const double>) const override {

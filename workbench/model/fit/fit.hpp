@@ -178,8 +178,11 @@ class Fitter {
 
   struct StemsOf {
     std::vector<double> y;
+    std::size_t effects = 0;
     std::vector<SeenStem> stems;
   };
+  [[nodiscard]] const StemsOf* known_stems(const Fit& fit,
+                                           const std::vector<double>& y) const;
 
   const Recording* recording_;
   const Work* work_;
@@ -190,7 +193,7 @@ class Fitter {
   Situation base_;
   double memory_samples_ = 1;
   Blocks blocks_;
-  // What stems_behind() found last.
+  // What stems_behind() found.
   mutable std::mutex stems_mutex_;
   mutable std::vector<StemsOf> stems_;
 };

@@ -9,9 +9,39 @@
 namespace workbench {
 namespace {
 
-constexpr std::size_t kMostStems = 16;  // outputs that stems are remembered of
+constexpr std::size_t kMostStems = 64;  // outputs that stems are remembered of
+
+// Squared difference of two outputs, but for their level.
+double apart(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  double squares = 0;
+  for (std::size_t t = 0; t < a.size(); ++t) {
+    const double between = a[t] - b[t];
+    sum += between;
+    squares += between * between;
+  }
+  return squares - sum * sum / static_cast<double>(a.size());
+}
 
 }  // namespace
+
+// What was seen of the same output, or of one that differs by less than the fit leaves
+// unexplained. Of the latter only those of fewer effects: they are known before, whatever
+// the number of threads.
+const Fitter::StemsOf* Fitter::known_stems(const Fit& fit,
+                                           const std::vector<double>& y) const {
+  const StemsOf* nearest = nullptr;
+  double least = dot(fit.residual, fit.residual);
+  for (const StemsOf& known : stems_) {
+    if (known.y == y) return &known;
+    if (known.effects >= fit.effects.size()) continue;
+    const double between = apart(known.y, y);
+    if (between >= least) continue;
+    least = between;
+    nearest = &known;
+  }
+  return nearest;
+}
 
 // The output less the loads of a fit, as the identification sees it. It looks at all
 // samples, but only proposes: the estimation blocks decide.
@@ -20,14 +50,13 @@ std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
   add_loads(fit, -1, y);
   {
     const std::lock_guard lock(stems_mutex_);
-    for (const StemsOf& known : stems_) {
-      if (known.y == y) return known.stems;
-    }
+    if (const StemsOf* known = known_stems(fit, y)) return known->stems;
   }
   std::vector<SeenStem> stems = stems_in_pieces(y);
   const std::lock_guard lock(stems_mutex_);
-  if (stems_.size() >= kMostStems) stems_.erase(stems_.begin());
-  stems_.push_back({std::move(y), stems});
+  if (stems_.size() < kMostStems) {
+    stems_.push_back({std::move(y), fit.effects.size(), stems});
+  }
   return stems;
 }
 

@@ -14,15 +14,16 @@ struct Turn {
   bool lower = true;  // u rises from here on
 };
 
-// Turning points of u: extremes after which it retreats by more than `threshold`.
+// Turning points of u: extremes after which it retreats by more than `threshold`, the
+// last sample of those that it rests at: what y does there answers the move before.
 std::vector<Turn> turns_of(std::span<const double> u, double threshold) {
   std::vector<Turn> turns;
   int direction = 0;
   std::size_t high = 0;
   std::size_t low = 0;
   for (std::size_t k = 0; k < u.size(); ++k) {
-    if (u[k] > u[high]) high = k;
-    if (u[k] < u[low]) low = k;
+    if (u[k] >= u[high]) high = k;
+    if (u[k] <= u[low]) low = k;
     if (direction >= 0 && u[high] - u[k] > threshold) {
       turns.push_back({high, false});
       direction = -1;

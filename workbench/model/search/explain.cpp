@@ -39,12 +39,17 @@ const Candidate* ExplainResult::best() const {
 }
 
 const Candidate* ExplainResult::closest() const {
-  const auto found = std::ranges::find_if(candidates, [](const Candidate& c) {
+  const Candidate* doubted = nullptr;
+  for (const Candidate& c : candidates) {
     // What may stand for an effect of the model would do nothing beside it.
-    return c.status == CandidateStatus::kUndecided && c.error_reduction_percent > 0 &&
-           c.indistinguishable_from.empty();
-  });
-  return found == candidates.end() ? nullptr : &*found;
+    if (c.status != CandidateStatus::kUndecided || !(c.error_reduction_percent > 0) ||
+        !c.indistinguishable_from.empty()) {
+      continue;
+    }
+    if (!c.spoken_against) return &c;
+    if (doubted == nullptr) doubted = &c;
+  }
+  return doubted;
 }
 
 Searched searched_in(const Shortened& fewer, const Fitter& quick) {

@@ -64,6 +64,7 @@ struct Candidate {
   std::vector<Parameter> parameters{};  ///< empty where nothing was fitted
   std::vector<EffectTerm> partners{};   ///< those of `with`, of the one named
   bool phenomenological = false;
+  bool spoken_against = false;  ///< by its own values: undecided for that reason
 };
 
 /// Codes of the effect and of those that it comes with.
@@ -90,8 +91,8 @@ struct ExplainResult {
 
   /// The accepted candidate that explains most; null when there is none.
   [[nodiscard]] const Candidate* best() const;
-  /// The undecided one that lowers the error most and has no rival that is named; null
-  /// when none does.
+  /// The undecided one that lowers the error most and has no rival that is named, one
+  /// that its own values do not speak against if there is any; null when none does.
   [[nodiscard]] const Candidate* closest() const;
 };
 

@@ -272,6 +272,7 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   c.p_value = trial.test.p_value;
   trial.too_few = false;
   c.phenomenological = trial.edge;
+  c.spoken_against = trial.edge || !trial.objection.empty();
   if (const Effect* other = other_name(base, trial)) {
     c.status = CandidateStatus::kRejected;
     c.evidence = filled(

@@ -79,6 +79,20 @@ TEST(CandidatesText, NamesWhatComesClosest) {
   EXPECT_TRUE(told_of().ends_with("; this search began with it.")) << told_of();
 }
 
+TEST(CandidatesText, NamesWhatItsOwnValuesDoNotSpeakAgainst) {
+  ExplainResult result;
+  for (const char* effect : {"process.oscillatory", "process.second_lag"}) {
+    result.candidates.push_back(
+        candidate(effect, CandidateStatus::kUndecided, "It helps."));
+    result.candidates.back().error_reduction_percent = 12;
+  }
+  EXPECT_EQ(result.closest(), &result.candidates[0]);
+  result.candidates[0].spoken_against = true;
+  EXPECT_EQ(result.closest(), &result.candidates[1]);
+  result.candidates[1].spoken_against = true;
+  EXPECT_EQ(result.closest(), &result.candidates[0]) << "better than none";
+}
+
 TEST(SearchOn, KeepsWhatTheModelHasAndEndsWhereItBegan) {
   SearchSoFar so_far{"stickband ladder a.csv", {"valve.backlash"}, {}, false};
   EXPECT_EQ(search_on(so_far), "stickband ladder a.csv --with valve.backlash");

@@ -51,6 +51,20 @@ TEST(StemFriction, StrokesStickApart) {
   EXPECT_EQ(moved({0, 0, 5, 0}, u), (std::vector<double>{0, 2, 4, 4, 4, -2, -4 + 2}));
 }
 
+// On and off are reached from one side each, whatever the gap is.
+TEST(ReversalsBeyond, OfASwitchShowNoStem) {
+  std::vector<double> u(200);
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] = k / 20 % 2 == 0 ? 0 : 100;
+  const auto seen = [&u] {
+    return reversals_beyond(situation_of(u, u, 1), 10, "reversals");
+  };
+  EXPECT_FALSE(seen().acted);
+  EXPECT_EQ(seen().events, 0);
+  for (std::size_t k = 0; k < u.size(); k += 4) u[k] = 50;
+  EXPECT_TRUE(seen().acted);
+  EXPECT_GT(seen().events, 50);
+}
+
 TEST(LagStarts, ReachFromBelowASampleToBeyondTheFirstLag) {
   const std::vector<double> u(1000, 0.0);
   Situation s = situation_of(u, u, 1);

@@ -1,9 +1,12 @@
 // What a load that nobody measured has to be like.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
 
 namespace workbench {
@@ -68,6 +71,36 @@ TEST(LoadRamp, IsDoubtedWhereUSweepsOneWay) {
             "u moves as steadily: a valve or process that answers less of it there looks "
             "the same");
   EXPECT_EQ(objection_to_drift(10), "");
+}
+
+TEST(LoadRamp, IsDoubtedWhereALoneMoveOfUIsAnswered) {
+  std::vector<double> u(101);
+  for (std::size_t k = 10; k < u.size(); ++k) u[k] = 7;
+  Situation s = situation_of(u, u, 1);
+  s.first_lag_s = 50;
+  const auto objection = [&s](double from_s) {
+    return effects::disturbance_ramp().objection(s, std::vector<double>{from_s},
+                                                 std::vector<double>{0.1});
+  };
+  EXPECT_EQ(objection(20),
+            "it begins behind the one move of u: a late answer to it looks the same");
+  EXPECT_EQ(objection(5), "") << "before the move";
+  EXPECT_EQ(objection(60), "") << "half the recording later";
+}
+
+// Friction bends a slow swing of u; its overtones are no load.
+TEST(LoadSinusoid, IsDoubtedAtAnOvertoneOfU) {
+  std::vector<double> u(600);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    u[k] = std::sin(2 * std::numbers::pi * static_cast<double>(k) / 99);
+  }
+  const Situation s = situation_of(u, u, 1);
+  const auto objection = [&s](double period_s) {
+    return effects::disturbance_sinusoid().objection(s, std::vector<double>{period_s},
+                                                     std::vector<double>{1, 0});
+  };
+  EXPECT_EQ(objection(33), effects::kOvertoneOfU);
+  EXPECT_EQ(objection(71), "");
 }
 
 }  // namespace

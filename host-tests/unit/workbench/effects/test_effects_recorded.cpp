@@ -174,6 +174,21 @@ TEST(RecordedEffects, CompressionIsNamedWithItsToleranceAndShare) {
   EXPECT_LT(recorded_value(best, "stored_share"), 0.5);
 }
 
+// What is read coarsely while it moves slowly goes by the same few steps for a while.
+TEST(RecordedEffects, CoarseReadingsOfASlowOutputAreNotCompressed) {
+  Recording recording;
+  recording.name = "incubator";
+  recording.period_s = 3;
+  for (std::size_t k = 0; k < 124; ++k) {
+    const double t = static_cast<double>(k);
+    recording.u.push_back(k % 40 < 10 ? 1 : 0);
+    const double y = 23 + 12 * (1 - std::exp(-t / 60)) + 0.3 * std::sin(t / 9);
+    recording.y.push_back(std::round(y * 16) / 16);
+  }
+  const Situation s = situation_of(recording.u, recording.y, recording.period_s);
+  EXPECT_TRUE(effects::record_compression().starts(s).empty());
+}
+
 // A value is stored where it leaves the band, with the one before it.
 std::vector<double> stored_by_exception(const std::vector<double>& y, double band) {
   std::vector<std::size_t> kept = {0};

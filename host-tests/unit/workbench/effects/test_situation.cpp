@@ -33,6 +33,15 @@ TEST(Situation, CountsReversalsWiderThanTheThreshold) {
   EXPECT_EQ(count_reversals(u, 5), 0);
 }
 
+TEST(Situation, KnowsASwitchFromLevels) {
+  std::vector<double> u(200);
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] = k / 20 % 2 == 0 ? 0 : 100;
+  u[20] = 40;  // read on the way
+  EXPECT_TRUE(takes_two_values(situation_of(u, u, 1)));
+  for (std::size_t k = 100; k < 120; ++k) u[k] = 60;
+  EXPECT_FALSE(takes_two_values(situation_of(u, u, 1)));
+}
+
 TEST(Situation, BetweenTwoPiecesTheValveDoesNotTurn) {
   const std::vector<double> u{0, 1, 2, 3, 0, 1, 2, 3};
   Situation s = situation_of(u, u, 1);

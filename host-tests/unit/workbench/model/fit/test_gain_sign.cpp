@@ -41,6 +41,24 @@ TEST(GainSign, IsUnknownWhereYStandsInTheRowOfTheUThatMovedIt) {
   EXPECT_EQ(gain_sign_of(recording, one_piece(recording)), 0);
 }
 
+// A fan whose pressure follows within the row looks like a controller of the other sign
+// while its speed wanders. It does not where it is switched on and off.
+TEST(GainSign, IsUnknownWhereYJumpsWithUThatIsSwitched) {
+  const auto sign_of = [](bool switched) {
+    Recording fan = test::simulated({});
+    fan.sp.clear();
+    for (std::size_t k = 0; k < fan.size(); ++k) {
+      const double t = static_cast<double>(k);
+      const bool on = !switched || k / 100 % 2 == 1;
+      fan.u[k] = on ? 50 + 5 * std::sin(t / 7) + std::sin(t / 3) : 0;
+      fan.y[k] = 0.018 * fan.u[k] + 0.001 * std::cos(1.7 * t * t);
+    }
+    return gain_sign_of(fan, one_piece(fan));
+  };
+  EXPECT_EQ(sign_of(false), -1);
+  EXPECT_EQ(sign_of(true), 0);
+}
+
 TEST(GainSign, IsUnknownWhereTwoPiecesDisagree) {
   Recording recording = test::simulated({});
   for (std::size_t k = 600; k < recording.size(); ++k) recording.u[k] = -recording.u[k];
