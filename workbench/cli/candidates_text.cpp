@@ -87,7 +87,7 @@ std::string what_comes_closest(const std::string& before, const ExplainResult& r
                                     : "";
     return wrapped(
         before +
-            " Nor does any come close: what is left is slow noise, a load that was not "
+            " No effect comes close: what is left is slow noise, a load that was not "
             "recorded, or what the catalogue lacks." +
             columns,
         0);

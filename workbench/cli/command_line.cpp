@@ -89,8 +89,15 @@ int dispatch(int argc, char** argv) {
   CLI::App app;
   Action action;
   describe(app, action);
+  // `help COMMAND`, as other programs have it.
+  std::vector<char*> words(argv, argv + argc);
+  static char help[] = "--help";
+  if (argc > 1 && std::string_view(argv[1]) == "help") {
+    words.erase(words.begin() + 1);
+    words.push_back(help);
+  }
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::CallForHelp&) {
     const auto parsed = app.get_subcommands();
     print(parsed.empty() ? app.help() : parsed.front()->help("stickband"));
@@ -102,8 +109,8 @@ int dispatch(int argc, char** argv) {
     const auto parsed = app.get_subcommands();
     const std::string command = parsed.empty() ? "" : ' ' + parsed.front()->get_name();
     std::string what = error.what();
-    if (parsed.empty() && argc > 1 && argv[1][0] != '-') {
-      what = "no command " + quoted(argv[1]) + suggestion(app, argv[1]);
+    if (parsed.empty() && words.size() > 1 && words[1][0] != '-') {
+      what = "no command " + quoted(words[1]) + suggestion(app, words[1]);
     }
     throw UsageError(what + "; see stickband" + command + " --help");
   }

@@ -41,6 +41,10 @@ int cannot_answer(std::string_view why) {
   return kCannotAnswer;
 }
 
+bool is_read_beside_messages() {
+  return isatty(STDOUT_FILENO) == 1 && isatty(STDERR_FILENO) == 1;
+}
+
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
   std::string out;
   std::size_t column = indent;

@@ -17,6 +17,9 @@ void complain(std::string_view message);
 /// Complains that the data cannot answer, and `why`; returns kCannotAnswer.
 [[nodiscard]] int cannot_answer(std::string_view why);
 
+/// True where one terminal shows both: what is printed need not be complained about.
+[[nodiscard]] bool is_read_beside_messages();
+
 /// `text` broken at spaces into lines of at most `width` characters, each but the first
 /// line indented by `indent`. Ends without a line feed.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent,

@@ -160,10 +160,11 @@ std::string identification_text(const RecordingView& recording,
   return text;
 }
 
-int exit_code_for(ident::Verdict verdict, ident::Reason reason) {
+int exit_code_for(ident::Verdict verdict, ident::Reason reason, bool is_told) {
   if (verdict != ident::Verdict::kUndecided && verdict != ident::Verdict::kBadData) {
     return kDone;
   }
+  if (is_told && is_read_beside_messages()) return kCannotAnswer;
   return cannot_answer(ident::sentence(reason));
 }
 

@@ -15,7 +15,9 @@ namespace workbench::cli {
 /// "125.0 (122.7 to 125.6)", or "unknown".
 [[nodiscard]] std::string with_interval(const ident::Estimate<double>& estimate);
 
-/// kDone, or kCannotAnswer after saying on stderr what data would answer.
-[[nodiscard]] int exit_code_for(ident::Verdict verdict, ident::Reason reason);
+/// kDone, or kCannotAnswer after saying on stderr what data would answer; not again where
+/// it `is_told` on the same terminal.
+[[nodiscard]] int exit_code_for(ident::Verdict verdict, ident::Reason reason,
+                                bool is_told = false);
 
 }  // namespace workbench::cli

@@ -61,7 +61,7 @@ int identify(const Options& options) {
   print(options.json ? json_line(identification_json(recording, analysis))
                      : identification_text(recording, analysis));
   const Identification& result = analysis.result();
-  return exit_code_for(result.verdict, result.reason);
+  return exit_code_for(result.verdict, result.reason, !options.json);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
   // Whose model this is, is to be known before its steps are read.
   if (result.last.left_to_controller) text += mind + '\n';
   text += "  step                            error     validation\n" +
-          steps_text(result.steps);
+          steps_text(result.steps, so_far.begun_with);
   if (result.searched) {
     text += '\n' + searched_text(*result.searched,
                                  "the errors above. The fit below is "

@@ -10,11 +10,17 @@
 namespace workbench::cli {
 namespace {
 
+std::string without_end_blanks(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
 // A step, or an exchange with all its steps.
 struct Row {
   std::vector<std::string> came;
   std::vector<std::string> gone;
   std::vector<std::string> rivals;  // whose it is stands before each where several came
+  std::string begun_with;           // of the first row
   const LadderStep* last = nullptr;
 
   void take(const LadderStep& step) {
@@ -26,7 +32,8 @@ struct Row {
   }
   [[nodiscard]] std::string name() const {
     if (came.empty()) return "without " + listed(gone);
-    return listed(came) + (gone.empty() ? "" : " instead of " + listed(gone));
+    return listed(came) + (gone.empty() ? "" : " instead of " + listed(gone)) +
+           (begun_with.empty() ? "" : " with " + begun_with);
   }
 };
 
@@ -37,8 +44,9 @@ std::string row_text(const Row& row, double before) {
                      (name.size() < kNames ? padded(name, kNames)
                                            : name + '\n' + std::string(2 + kNames, ' ')) +
                      padded(number(row.last->rmse, 4), 10) +
-                     padded(number(row.last->rmse_validation, 4), 12) +
-                     fall(before, row.last->rmse_validation) + '\n';
+                     without_end_blanks(padded(number(row.last->rmse_validation, 4), 12) +
+                                        fall(before, row.last->rmse_validation)) +
+                     '\n';
   for (const std::string& rival : row.rivals) {
     const std::size_t own = row.came.size() == 1 ? row.came[0].size() + 1 : 0;
     text += "      " + rival.substr(own) + ": this recording cannot tell\n";
@@ -48,10 +56,12 @@ std::string row_text(const Row& row, double before) {
 
 }  // namespace
 
-std::string steps_text(const std::vector<LadderStep>& steps) {
+std::string steps_text(const std::vector<LadderStep>& steps,
+                       const std::vector<std::string>& begun_with) {
   std::string text;
   double before = 0;
   Row row;
+  if (!steps.empty() && !begun_with.empty()) row.begun_with = listed(begun_with);
   std::set<std::string> seen;  // what came and went
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (i + 1 < steps.size() && takes_back(steps[i + 1], steps[i])) {

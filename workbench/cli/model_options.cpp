@@ -302,10 +302,17 @@ std::string parameter_table(const std::vector<Parameter>& parameters,
     }
     const std::string interval =
         p.low < p.high ? number(p.low, 4) + " to " + number(p.high, 4) : std::string();
-    text += std::string(indent, ' ') +
-            padded(p.name == "time" ? "time_from_start" : p.name, 24) +
-            padded(number(p.value, 4), 12) + padded(interval, 26) +
-            (p.unit == "1" ? choice_in_words(p) : p.unit) + '\n';
+    const std::string name = std::string(indent, ' ') +
+                             padded(p.name == "time" ? "time_from_start" : p.name, 24);
+    // A choice is a number in files alone.
+    const std::string choice = p.unit == "1" ? choice_in_words(p) : std::string();
+    if (!choice.empty()) {
+      text += name + choice + '\n';
+      continue;
+    }
+    const std::string line = name + padded(number(p.value, 4), 12) +
+                             padded(interval, 26) + (p.unit == "1" ? "" : p.unit);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
   }
   return text;
 }

@@ -130,9 +130,12 @@ std::string suspects(const Screening& result) {
 }
 
 // A command on a line of its own, to be copied.
-std::string not_read(const std::string& error) {
+std::string not_read(const ScreenedLoop& loop) {
+  const std::string& error = loop.error;
   const std::size_t command = error.find("stickband identify ");
-  std::string text = wrapped("not read: " + error.substr(0, command), 2);
+  const bool named = error.find(loop.loop) != std::string::npos;
+  std::string text = wrapped(
+      "not read: " + (named ? "" : loop.loop + ": ") + error.substr(0, command), 2);
   if (command != std::string::npos) text += "\n  " + error.substr(command);
   return text;
 }
@@ -165,7 +168,7 @@ std::string summary(const Screening& result, const std::vector<std::string>& out
   std::size_t told = 0;
   for (const ScreenedLoop& loop : result.loops) {
     if (loop.error.empty() || ++told > kMostTold) continue;
-    text += not_read(loop.error) + '\n';
+    text += not_read(loop) + '\n';
   }
   if (told > kMostTold) {
     text += "  and " + std::to_string(told - kMostTold) + " more: the results say why\n";

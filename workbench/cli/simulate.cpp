@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -140,8 +141,18 @@ int simulate_to_files(const Options& options) {
   if (options.scenario.empty()) {
     throw UsageError("SCENARIO is required; stickband simulate --list names them");
   }
-  if (options.seed.empty()) throw UsageError("--seed is required");
-  if (options.csv.empty()) throw UsageError("-o is required");
+  const bool known = options.scenario == kPlant ||
+                     std::ranges::any_of(scenarios(), [&options](const auto& scenario) {
+                       return scenario.name == options.scenario;
+                     });
+  if (!known) {
+    throw UsageError("no scenario is named '" + options.scenario +
+                     "'; stickband simulate --list names them");
+  }
+  if (options.seed.empty() || options.csv.empty()) {
+    throw UsageError("--seed and -o are required: stickband simulate " +
+                     options.scenario + " --seed 1 -o loop.csv");
+  }
   if (options.scenario == kPlant) return simulate_plant(options);
   if (options.candump.empty() && !options.dbc.empty()) {
     throw UsageError("--dbc-out goes with --candump");
@@ -161,25 +172,20 @@ int simulate_to_files(const Options& options) {
       throw UsageError("two outputs would go to " + path);
     }
   }
-  const std::optional<SimulatedLoop> loop =
-      simulate(options.scenario, seed_of(options.seed));
-  if (!loop) {
-    throw UsageError("no scenario is named '" + options.scenario +
-                     "'; stickband simulate --list names them");
-  }
+  const SimulatedLoop loop = simulate(options.scenario, seed_of(options.seed)).value();
   std::ostringstream csv;
-  write_csv(*loop, csv, !options.without_position);
+  write_csv(loop, csv, !options.without_position);
   write_file(options.csv, csv.str());
   if (!options.truth.empty()) {
-    write_file(options.truth, truth_json(loop->truth).dump(2) + '\n');
+    write_file(options.truth, truth_json(loop.truth).dump(2) + '\n');
   }
   if (!options.candump.empty()) {
     std::ostringstream log;
-    write_candump(*loop, log);
+    write_candump(loop, log);
     write_file(options.candump, log.str());
     write_file(dbc, dbc_text());
   }
-  print(summary(*loop, options));
+  print(summary(loop, options));
   return kDone;
 }
 

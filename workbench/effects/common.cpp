@@ -43,7 +43,7 @@ Excitation reversals_beyond(const Situation& situation, double band,
           kLeastMoves, turns(situation)};
 }
 
-bool is_overtone_of_u(const Situation& s, double period_s) {
+std::string doubt_in_overtone(const Situation& s, double period_s) {
   constexpr double kHardlyMore = 0.9;  // of the variance
   std::vector<double> u(s.u.begin(), s.u.end());
   const double mean = std::reduce(u.begin(), u.end()) / static_cast<double>(u.size());
@@ -51,10 +51,13 @@ bool is_overtone_of_u(const Situation& s, double period_s) {
   for (const double multiple : {2.0, 3.0, 4.0, 5.0}) {
     for (const double nearby : {0.95, 0.975, 1.0, 1.025, 1.05}) {
       const double swing_s = multiple * nearby * period_s;
-      if (line_share(u, s.period_s, swing_s) > kHardlyMore) return true;
+      if (line_share(u, s.period_s, swing_s) > kHardlyMore) {
+        return "u swings with a multiple of this period, and friction or a curve makes "
+               "such overtones of a swing, too: they need steps of u to be told apart";
+      }
     }
   }
-  return false;
+  return {};
 }
 
 std::vector<double> great_jumps_of_u(const Situation& s) {

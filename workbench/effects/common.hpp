@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "workbench/effects/effect.hpp"
@@ -32,12 +33,9 @@ inline constexpr std::string_view kLagSignature =
 /// at least two.
 [[nodiscard]] Excitation none_between();
 
-/// (W26) True where u is hardly more than one swing, of two to five such periods.
-[[nodiscard]] bool is_overtone_of_u(const Situation& situation, double period_s);
-/// What then speaks against whatever swings with the period.
-inline constexpr std::string_view kOvertoneOfU =
-    "u swings with a multiple of this period, and friction or a curve makes such "
-    "overtones of a swing, too: they need steps of u to be told apart";
+/// (W26) What speaks against whatever swings with the period, where u is hardly more than
+/// one swing of two to five such periods; else "".
+[[nodiscard]] std::string doubt_in_overtone(const Situation& situation, double period_s);
 
 /// Times of the great jumps of u, in s; empty where they are more than ten.
 [[nodiscard]] std::vector<double> great_jumps_of_u(const Situation& situation);

@@ -61,7 +61,8 @@ class Sinusoid final : public Effect {
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
-    if (is_overtone_of_u(s, p[0])) return std::string(kOvertoneOfU);
+    std::string doubt = doubt_in_overtone(s, p[0]);
+    if (!doubt.empty()) return doubt;
     return locked_to_cycle(s, p[0]) ? "it keeps step with the cycle of u, whose edges a "
                                       "sinusoidal load would not make"
                                     : "";

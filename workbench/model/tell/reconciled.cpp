@@ -82,12 +82,10 @@ std::string reconciled(ident::Verdict verdict, const Model& model,
       return missing != nullptr
                  ? "The valve is at fault and the model lacks something else first: both "
                    "can be true. Add what is missing and see whether stiction follows."
-                 : "The verdict names the valve, and the model has none that sticks: "
-                   "that "
-                   "speaks against it where the model follows the recording closely, and "
-                   "says nothing where it does not. The verdict also asks from one "
-                   "sample "
-                   "to the next, which tells loads from valves; confirm it in manual "
+                 : "The verdict is a sticking valve; this model needs none. Where the "
+                   "model follows the recording closely, doubt the verdict; where it "
+                   "does not, the verdict has seen more: it also looks from one sample "
+                   "to the next, which tells loads from valves. Confirm it in manual "
                    "before work on the valve.";
     case ident::Verdict::kNoStiction:
       if (!has && !lacks) return {};

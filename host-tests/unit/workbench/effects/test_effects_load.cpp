@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
 
 namespace workbench {
@@ -99,7 +98,7 @@ TEST(LoadSinusoid, IsDoubtedAtAnOvertoneOfU) {
     return effects::disturbance_sinusoid().objection(s, std::vector<double>{period_s},
                                                      std::vector<double>{1, 0});
   };
-  EXPECT_EQ(objection(33), effects::kOvertoneOfU);
+  EXPECT_TRUE(objection(33).starts_with("u swings with a multiple of this period"));
   EXPECT_EQ(objection(71), "");
 }
 
