@@ -52,6 +52,9 @@ class CellReader {
   [[nodiscard]] std::string_view rest_of_line() const {
     return {at_, static_cast<std::size_t>(std::find_if(at_, end_, is_line_end) - at_)};
   }
+  [[nodiscard]] bool starts_with(std::string_view text) const {
+    return std::string_view(at_, end_).starts_with(text);
+  }
   void skip_rest_of_line() { at_ += rest_of_line().size(); }
   /// From the end of a line to the start of the next.
   void next_line();

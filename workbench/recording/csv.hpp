@@ -55,13 +55,13 @@ struct CsvOptions {
 /// grid.
 ///
 /// Throws InputError for: no header, a missing or duplicate column, several loops and
-/// none named, text, NaN or an infinity where a number belongs, dates with two readings,
-/// a step back in time, a row with more or fewer cells than the header, an empty line
-/// before the last row of a plain file, fewer than 2 samples, gaps or files too long
-/// (kMaxSamples, 512 MiB). Throws std::invalid_argument when `ts` is not a positive
-/// number, or a name of `names` fits no column or several; Stopped where `stop` asks for
-/// it. A million rows of three
-/// columns take about 0.2 s; 100,000 rows of 200 columns 0.4 s.
+/// none named, text where a number belongs, in a plain file NaN and infinities too, dates
+/// with two readings, a step back in time that is no restart (restarts.hpp), a row with
+/// more or fewer cells than the header, an empty line before the last row of a plain
+/// file, fewer than 2 samples, gaps or files too long (kMaxSamples, 512 MiB). Throws
+/// std::invalid_argument when `ts` is not a positive number, or a name of `names` fits no
+/// column or several; Stopped where `stop` asks for it. A million rows of three columns
+/// take about 0.2 s; 100,000 rows of 200 columns 0.4 s.
 [[nodiscard]] Recording read_csv(const std::string& path, const CsvOptions& options = {});
 
 /// What `parse_csv` does once it knows the columns: reads the rows of a source. Throws

@@ -29,10 +29,19 @@ double tidy(double value) {
   return std::strtod(number(value, 12).c_str(), nullptr);
 }
 
-std::size_t longest_interval(const std::vector<double>& t) {
+// Of one recording.
+std::size_t longest_interval(const TimedRows& rows) {
+  const std::vector<double>& t = rows.t;
   std::size_t worst = 1;
-  for (std::size_t i = 2; i < t.size(); ++i) {
-    if (t[i] - t[i - 1] > t[worst] - t[worst - 1]) worst = i;
+  double longest = 0;
+  auto between = rows.between.begin();
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    between = std::find_if(between, rows.between.end(),
+                           [&](double time) { return time > t[i - 1]; });
+    const bool apart = between != rows.between.end() && *between < t[i];
+    if (apart || t[i] - t[i - 1] <= longest) continue;
+    longest = t[i] - t[i - 1];
+    worst = i;
   }
   return worst;
 }
@@ -173,6 +182,25 @@ std::vector<std::uint32_t> rows_held(const std::vector<double>& t, double period
   return index;
 }
 
+// The instants between recordings. `index` ascends.
+std::vector<SampleRange> gaps_between(const TimedRows& rows,
+                                      const std::vector<std::uint32_t>& index) {
+  const auto place_of = [&index](std::size_t row) {
+    return static_cast<std::size_t>(std::lower_bound(index.begin(), index.end(), row) -
+                                    index.begin());
+  };
+  std::vector<SampleRange> out;
+  for (const double time : rows.between) {
+    const auto next = std::upper_bound(rows.t.begin(), rows.t.end(), time);
+    if (next == rows.t.begin() || next == rows.t.end()) continue;
+    const std::size_t end = place_of(static_cast<std::size_t>(next - rows.t.begin()));
+    if (end == 0 || end == index.size()) continue;
+    const std::size_t first = place_of(index[end - 1]) + 1;
+    if (first < end) out.push_back({first, end});
+  }
+  return out;
+}
+
 // Values and times at the instants; an empty index leaves them as they are.
 void take_rows(TimedRows&& rows, const std::vector<std::uint32_t>& index,
                const Spacing& spacing, Recording& out) {
@@ -259,10 +287,11 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
                      count == 0 ? "none" : "1 at different times",
                      "record for longer, or check the time column");
   }
-  const std::size_t widest = longest_interval(rows.t);
+  const std::size_t widest = longest_interval(rows);
   Spacing spacing = spacing_of(rows.t);
   std::optional<ScatteredTimes> scattered;
-  if (spacing.on_time_share < 1) scattered = scattered_times(rows.t);
+  if (spacing.on_time_share < 1 && rows.between.empty())
+    scattered = scattered_times(rows.t);
   if (scattered) spacing.period_s = tidy(scattered->period_s);
   check_span(rows, file, spacing.period_s, widest);
 
@@ -282,12 +311,19 @@ void resample(TimedRows&& rows, const std::string& file, Recording& out) {
       : on_grid ? rows_on_grid(rows.t, spacing.period_s, shortest, report)
                 : rows_held(rows.t, spacing.period_s, shortest, report);
   report.resampled = !index.empty();
+  const std::vector<SampleRange> between = gaps_between(rows, index);
+  std::erase_if(report.gaps, [&between](const SampleRange& gap) {
+    return std::ranges::find(between, gap.last, &SampleRange::last) != between.end();
+  });
+  report.missing -= samples_in(between);
   take_rows(std::move(rows), index, spacing, out);
   keep_long_gaps(out);
   const std::size_t in_gaps = samples_in(report.gaps);
   refuse_mostly_held(longest, file, report.missing - missing_before - in_gaps,
-                     out.size() - in_gaps);
+                     out.size() - in_gaps - samples_in(between));
   note_spacing(spacing, on_grid, scattered, longest.text, report);
+  report.gaps.insert(report.gaps.end(), between.begin(), between.end());
+  std::ranges::sort(report.gaps, {}, &SampleRange::first);
 }
 
 }  // namespace workbench

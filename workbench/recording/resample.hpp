@@ -22,6 +22,8 @@ struct TimedRows {
   std::array<std::vector<double>, kColumns> values;
   std::vector<std::vector<double>> loads;
   std::string_view place = "line";  ///< what `line` counts, for people
+  /// Times, each between two rows that are of two recordings: a gap, however long.
+  std::vector<double> between{};
 };
 
 /// The spacing of time stamps.
@@ -42,10 +44,11 @@ struct Spacing {
 /// its own instant and only the instants between are filled by holding; so it does where
 /// the stamps scatter about equal steps (scattered_times.hpp); otherwise
 /// the value at an instant is that of the last row not later than a tenth of a
-/// period after it. Fills t, the values, period_s and the report of `out`; out.loads
-/// must have the names of rows.loads already. Throws InputError
-/// naming `file` when there are fewer than two rows or when the grid would be
-/// longer than kMaxSamples or than twenty times the rows plus a thousand.
+/// period after it. What lies between recordings is a gap of the report, and none of its
+/// other numbers counts it. Fills t, the values, period_s and the report of `out`;
+/// out.loads must have the names of rows.loads already. Throws InputError naming `file`
+/// when there are fewer than two rows or when the grid would be longer than kMaxSamples
+/// or than twenty times the rows plus a thousand.
 void resample(TimedRows&& rows, const std::string& file, Recording& out);
 
 /// `value` with at most `digits` significant digits, as printf's %g.

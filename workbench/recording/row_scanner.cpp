@@ -46,15 +46,26 @@ bool RowScanner::take_line() {
   return filled_cells_ > 0 || (cells_ != 1 && cells_ != layout_.columns.size());
 }
 
+bool RowScanner::skip_head() {
+  if (plain_ && !reader_.starts_with(layout_.header)) return false;
+  const std::string_view line = trimmed(reader_.rest_of_line());
+  const bool is_header = !layout_.header.empty() && line == layout_.header;
+  if (!is_header && (plain_ || !heads_again(line, layout_.header))) return false;
+  if (is_header) {
+    behind_head_ = true;
+    empty_line_ = 0;
+  }
+  reader_.skip_rest_of_line();
+  return true;
+}
+
 bool RowScanner::next() {
+  behind_head_ = false;
   while (true) {
     if (!first_) reader_.next_line();
     first_ = false;
     if (reader_.at_end()) return false;
-    if (!plain_ && heads_again(reader_.rest_of_line(), layout_.header)) {
-      reader_.skip_rest_of_line();
-      continue;
-    }
+    if (skip_head()) continue;
     if (!take_line()) {
       if (empty_line_ == 0) empty_line_ = line_;
       continue;

@@ -16,12 +16,12 @@
 namespace workbench {
 
 /// Walks through the rows behind the header. In a plain file every row has as many cells
-/// as the header, and no empty line stands between rows; but a last one without a line
-/// end, of a file that was cut off, may be too short: it is left out, and noted. In an
-/// export empty lines are skipped, cells beyond the header may be empty, cells may lack
-/// at the end where nothing wanted stands, and up to kMostFooterLines lines at the end
-/// may be no rows at all (a count of rows, a signature): they are noted. About 1 ns a
-/// byte.
+/// as the header, and no empty line stands between rows, but above the header once more;
+/// a last row without a line end, of a file that was cut off, may be too short: it is
+/// left out, and noted. In an export empty lines are skipped, cells beyond the header may
+/// be empty, cells may lack at the end where nothing wanted stands, and up to
+/// kMostFooterLines lines at the end may be no rows at all (a count of rows, a
+/// signature): they are noted. About 1 ns a byte.
 inline constexpr std::size_t kMostFooterLines = 5;
 
 class RowScanner {
@@ -38,6 +38,8 @@ class RowScanner {
     return found_[slot].text;
   }
   [[nodiscard]] std::size_t column(std::size_t slot) const { return found_[slot].column; }
+  /// Between the row before and this one the header stands once more.
+  [[nodiscard]] bool is_behind_head() const { return behind_head_; }
   [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(line_); }
 
   /// An error at this row and the cell of `slot`.
@@ -58,6 +60,8 @@ class RowScanner {
     std::string_view text;
     std::size_t column = 0;
   };
+  // No row, but what stood above the first one; the reader is behind it then.
+  bool skip_head();
   // Takes the cells of a line; false: nothing in it.
   bool take_line();
   [[nodiscard]] std::optional<InputError> wrong_count() const;
@@ -72,6 +76,7 @@ class RowScanner {
   std::size_t needed_ = 0;             // columns up to the last wanted
   bool plain_;
   bool first_ = true;
+  bool behind_head_ = false;
   std::vector<Found> found_;
   std::size_t line_ = 0;
   std::size_t row_offset_ = 0;

@@ -327,6 +327,7 @@ void resample(RowTable&& table, const std::string& file, Recording& out) {
   TimedRows rows;
   rows.t = std::move(table.t);
   rows.line = std::move(table.line);
+  rows.between = std::move(table.between);
   const SignalRows* mode = nullptr;
   for (SignalRows& signal : table.signals) {
     if (signal.is_mode) {

@@ -47,6 +47,7 @@ struct RowTable {
   std::vector<double> t;  ///< s
   std::vector<std::uint32_t> line;
   std::vector<SignalRows> signals;
+  std::vector<double> between;  ///< as in TimedRows
 };
 
 /// Where a table comes from, for messages.

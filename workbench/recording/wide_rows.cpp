@@ -9,6 +9,7 @@
 #include "workbench/recording/cut_times.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/quality_words.hpp"
+#include "workbench/recording/restarts.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/stopped.hpp"
 #include "workbench/recording/time_order.hpp"
@@ -160,6 +161,12 @@ class WideReader {
                        std::string(rows.cell(slots_.column))};
       }
     }
+    if (plain_ && !has_time_ && rows.is_behind_head()) {
+      throw InputError(source_.file, rows.line(), 0,
+                       "rows of one recording, where --ts counts them",
+                       "the names of the columns once more before the row",
+                       "split the recording there, or remove the line with the names");
+    }
     rows.accept();
     for (std::size_t i = 0; i < table_.signals.size(); ++i) {
       SignalRows& signal = table_.signals[i];
@@ -173,6 +180,7 @@ class WideReader {
         signal.quality.push_back(signal.scale.add(rows.cell(quality_slots_[i])));
       }
     }
+    if (rows.is_behind_head()) headed_.push_back(table_.line.size());
     table_.line.push_back(rows.line());
   }
 
@@ -185,8 +193,16 @@ class WideReader {
     for (auto* notes : {&known_times_.notes, &order.notes}) {
       for (std::string& note : *notes) report.notes.push_back(std::move(note));
     }
-    if (order.step_back) refuse_step_back(*order.step_back);
+    if (order.step_back) join_runs(*order.step_back, report);
     table_.t = std::move(known_times_.t);
+  }
+
+  void join_runs(std::size_t step_back, ResampleReport& report) {
+    std::optional<Restarts> restarts;
+    if (!known_times_.dated) restarts = run_on(known_times_.t, headed_, table_);
+    if (!restarts) refuse_step_back(step_back);
+    report.notes.push_back(std::move(restarts->note));
+    table_.between = std::move(restarts->between);
   }
 
   // From 0 where dates are written; seconds, epoch seconds included, stay as they are.
@@ -196,7 +212,9 @@ class WideReader {
     out.start = clock_text(known_times_, first);
     out.zone = zone_written(known_times_);
     if (times_.form() == TimeForm::kNumber || first == 0) return;
-    for (double& t : table_.t) t -= first;
+    for (auto* times : {&table_.t, &table_.between}) {
+      for (double& t : *times) t -= first;
+    }
   }
 
   [[noreturn]] void refuse_step_back(std::size_t row) const {
@@ -227,6 +245,7 @@ class WideReader {
   std::vector<std::size_t> value_slots_;
   std::vector<std::size_t> quality_slots_;
   RowTable table_;
+  std::vector<std::size_t> headed_;  // rows behind the names once more
   TimesOfRows known_times_;
 };
 

@@ -34,6 +34,18 @@ TEST(RowScanner, AHeaderOnceMoreIsNoRow) {
   EXPECT_EQ(second_cells(
                 "u,y\n1,2\n\n#group,false\n#datatype,long\n#default,\nu,y\n3,4\n", false),
             "2 4 ");
+  EXPECT_EQ(second_cells("u,y\n1,2\n\nu,y\n3,4\n", true), "2 4 ");
+  EXPECT_NE(second_cells("u,y\n1,2\nU,Y\n\n3,4\n", true), "2 4 ");
+}
+
+TEST(RowScanner, TellsARowBehindAHeader) {
+  const std::string text = "u,y\n1,2\n\nu,y\n3,4\n5,6\n";
+  const std::string file = "f.csv";
+  const CsvLayout layout = layout_of(text, file, {{Column::u, Column::y}, {}});
+  RowScanner rows(text, file, layout, {1}, false);
+  std::string told;
+  while (rows.next()) told += rows.is_behind_head() ? 'h' : '-';
+  EXPECT_EQ(told, "-h-");
 }
 
 TEST(RowScanner, APlainFileHasAsManyCellsAsItsHeader) {

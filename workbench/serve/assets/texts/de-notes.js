@@ -85,6 +85,8 @@ export default {
   '{0}: {1} the time of the row before (first in line {2}): dropped; if the export cut the seconds off, export them, or give --ts SECONDS': '{0}: mit der Zeit der Zeile davor (zuerst in Zeile {2}): {1}; weggelassen; hat der Export die Sekunden abgeschnitten, exportieren Sie sie, oder geben Sie die Abtastzeit an',
   'the last line is no row ({0}): left out': 'die letzte Zeile ist keine Datenzeile ({0}): ausgelassen',
   'the last {0} lines are no rows ({1}): left out': 'die letzten {0} Zeilen sind keine Datenzeilen ({1}): ausgelassen',
+  'the times begin anew after {0} (line {1}): read as a recording of its own, behind a gap of unknown length': 'die Zeiten beginnen nach {0} von vorn (Zeile {1}): als eigene Aufzeichnung gelesen, hinter einer Lücke unbekannter Länge',
+  'the times begin anew {0} times (first after {1}, line {2}): read as recordings of their own, with gaps of unknown length between': 'die Zeiten beginnen {0} Mal von vorn (zuerst nach {1}, Zeile {2}): als eigene Aufzeichnungen gelesen, mit Lücken unbekannter Länge dazwischen',
   '{0} row repeats': '{0} Zeile',
   '{0} rows repeat': '{0} Zeilen',
   'the first {0} a value in some column: dropped': 'am Anfang {0} ein Wert in einer Spalte: weggelassen',
