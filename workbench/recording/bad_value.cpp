@@ -78,17 +78,41 @@ constexpr std::array kBeginnings = {
     "set to bad"sv,    "access denied"sv, "resize to"sv,  "no_data"sv,     "<bad"sv,
     "<no"sv,           "trace off"sv,     "doubtful"sv};
 
-constexpr std::array kExportWords = {"nan"sv,     "-nan"sv,    "+nan"sv,   "nan(ind)"sv,
-                                     "1.#qnan"sv, "-1.#ind"sv, "1.#ind"sv, "-1.#qnan"sv,
-                                     "1.#nan"sv,  "-"sv,       "*"sv,      "?"sv,
-                                     "."sv};
+constexpr std::array kExportWords = {"nan"sv, "-nan"sv, "+nan"sv, "nan(ind)"sv,
+                                     "-"sv,   "*"sv,    "?"sv,    "."sv};
+
+// As Microsoft's printf writes them, with as many zeros behind as it has decimals.
+constexpr std::array kPrintedNan = {"1.#qnan"sv, "1.#snan"sv, "1.#ind"sv, "1.#nan"sv};
+constexpr std::string_view kPrintedInfinity = "1.#inf";
 
 // What may stand for 1 and 0.
-constexpr std::array kNumberWords = {"off"sv,  "true"sv,   "false"sv, "yes"sv,
-                                     "ein"sv,  "aus"sv,    "wahr"sv,  "falsch"sv,
-                                     "open"sv, "closed"sv, "auf"sv,   "zu"sv};
+constexpr std::array kNumberWords = {"true"sv,   "false"sv, "yes"sv,    "ein"sv,
+                                     "aus"sv,    "wahr"sv,  "falsch"sv, "open"sv,
+                                     "closed"sv, "auf"sv,   "zu"sv};
 
 constexpr std::size_t kLongest = 48;
+
+std::string_view without_sign(std::string_view word) {
+  if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.remove_prefix(1);
+  return word;
+}
+
+// 1.#INF00 of 1.#INF.
+bool is_printed(std::string_view word, std::string_view as) {
+  return word.starts_with(as) &&
+         word.find_first_not_of('0', as.size()) == std::string_view::npos;
+}
+
+bool is_printed_nan(std::string_view lower) {
+  return std::ranges::any_of(kPrintedNan, [&lower](std::string_view as) {
+    return is_printed(without_sign(lower), as);
+  });
+}
+
+bool is_infinity(std::string_view lower) {
+  const std::string_view word = without_sign(lower);
+  return word == "inf" || word == "infinity" || is_printed(word, kPrintedInfinity);
+}
 
 // -----, +++++++, ***, ?????: beyond the range, or too wide for the column.
 bool is_row_of_marks(std::string_view cell) {
@@ -114,7 +138,8 @@ bool says_no_value(std::string_view cell, bool export_file) {
   if (is_row_of_marks(cell)) return true;
   return std::any_of(kWords.begin(), kWords.end(), is) ||
          std::any_of(kBeginnings.begin(), kBeginnings.end(), begins) ||
-         (export_file && std::any_of(kExportWords.begin(), kExportWords.end(), is));
+         (export_file && (std::any_of(kExportWords.begin(), kExportWords.end(), is) ||
+                          is_printed_nan(lower)));
 }
 
 bool is_beyond(std::string_view cell) {
@@ -127,8 +152,9 @@ bool is_beyond(std::string_view cell) {
 
 bool reads_as_word(std::string_view cell) {
   if (is_beyond(cell)) return true;
-  std::string_view word = cell;
-  if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.remove_prefix(1);
+  const std::string_view word = without_sign(cell);
+  const std::string lower = lower_case(word.substr(0, kLongest));
+  if (is_infinity(lower)) return true;
   if (word.empty() || word[0] == '.' || word[0] == ',') return false;
   if (is_digit(word[0])) {
     const std::size_t blank = cell.find(' ');
@@ -140,7 +166,6 @@ bool reads_as_word(std::string_view cell) {
   const auto digits =
       static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_digit));
   constexpr std::size_t kFewestLetters = 3;
-  const std::string lower = lower_case(word.substr(0, kLongest));
   return letters >= kFewestLetters && letters > digits && !lower.starts_with("inf") &&
          !lower.starts_with("nan") && !is_one_of(lower, kNumberWords);
 }

@@ -19,19 +19,20 @@ namespace workbench {
 ///   Digital State, Pt Created, Scan, Comm, Out of Serv, Not Connect, Not Available, Not
 ///   Collect, Configure, Calc, Over Range, Under Range, Intf, Equip, Failed, Error, Arc,
 ///   Set to Bad, Access Denied, Resize to, or with `#` and a letter (#N/A, #DIV/0!, #NV);
-/// - only in an `export_file`: NaN, -nan, 1.#QNAN, -1.#IND, and single - * ? . marks.
+/// - only in an `export_file`: NaN, -nan, 1.#QNAN, -1.#IND00, and single - * ? . marks.
 /// - and marks of a column too narrow to print: `##`, `#####`.
-/// Infinities are no gap.
+/// Infinities are none of them.
 [[nodiscard]] bool says_no_value(std::string_view cell, bool export_file);
 
 /// True for `<600`, `>=95 %`: beyond what the instrument measures, and by how much is not
 /// known.
 [[nodiscard]] bool is_beyond(std::string_view cell);
 
-/// True for what is_beyond(), and for other words, which a column of numbers may hold
-/// here and there where a value is missing: at least three letters, more than digits,
-/// none of the digits in front, and no word for an infinity, 0 or 1. A number with a word
-/// of says_no_value() behind it counts too: `45.2 (Bad)`. `12..3`, `1O` and `45.2*` are
+/// True for what is_beyond(), for infinities (+INF, 1.#INF00), and for other words, which
+/// a column of numbers may hold here and there where a value is missing: at least three
+/// letters, more than digits, none of the digits in front, and no word for 0 or 1 but
+/// OFF, which recorders write for a channel without a value. A number with a word of
+/// says_no_value() behind it counts too: `45.2 (Bad)`. `12..3`, `1O` and `45.2*` are
 /// typing mistakes.
 [[nodiscard]] bool reads_as_word(std::string_view cell);
 

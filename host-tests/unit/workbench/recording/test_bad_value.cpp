@@ -19,15 +19,16 @@ TEST(BadValue, WordsOfHistoriansAreGapsInEveryFile) {
 }
 
 TEST(BadValue, NaNIsAGapInExportsOnly) {
-  for (const std::string cell : {"NaN", "nan", "1.#QNAN", "-1.#IND", "-"}) {
+  for (const std::string cell :
+       {"NaN", "nan", "1.#QNAN", "-1.#IND", "-1.#IND00", "1.#QNAN0", "-"}) {
     EXPECT_TRUE(says_no_value(cell, true)) << cell;
     EXPECT_FALSE(says_no_value(cell, false)) << cell;
   }
 }
 
 TEST(BadValue, TypingMistakesAndInfinitiesAreNone) {
-  for (const std::string cell :
-       {"abc", "12..3", "1O", "inf", "", "oops", "#", "1.#INF", "++", "+-+", "+++5"}) {
+  for (const std::string cell : {"abc", "12..3", "1O", "inf", "", "oops", "#", "1.#INF",
+                                 "1.#QNAN1", "++", "+-+", "+++5"}) {
     EXPECT_FALSE(says_no_value(cell, true)) << cell;
   }
 }
@@ -35,11 +36,13 @@ TEST(BadValue, TypingMistakesAndInfinitiesAreNone) {
 TEST(BadValue, OtherWordsMayStandAmongNumbers) {
   for (const std::string cell :
        {"Questionable", "<Invalid>", "(null)", "Archive Offline", "+OVER", "-OVER", "abc",
-        "[-11059] No Good Data For Calculation", "n. def.", "45.2 (Bad)", "<45.2"}) {
+        "[-11059] No Good Data For Calculation", "n. def.", "45.2 (Bad)", "<45.2", "inf",
+        "+INF", "-Infinity", "-1.#INF", "1.#INF00", "OFF"}) {
     EXPECT_TRUE(reads_as_word(cell)) << cell;
   }
-  for (const std::string cell : {"12..3", "1O", "l.5", "45.2*", "45.2 S", "<45.2x", "inf",
-                                 "-Infinity", "nan", "TRUE", "Off", "B", "", "-", "+"}) {
+  for (const std::string cell :
+       {"12..3", "1O", "l.5", "45.2*", "45.2 S", "<45.2x", "1.#INF5", "infx", "nan",
+        "TRUE", "On", "B", "", "-", "+"}) {
     EXPECT_FALSE(reads_as_word(cell)) << cell;
   }
   EXPECT_TRUE(says_no_value("#####", false));
