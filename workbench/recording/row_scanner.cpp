@@ -3,21 +3,24 @@
 #include <algorithm>
 #include <utility>
 
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/header_names.hpp"
 #include "workbench/recording/later_texts.hpp"
+#include "workbench/recording/remark_line.hpp"
 #include "workbench/recording/text_encoding.hpp"
 
 namespace workbench {
 
 RowScanner::RowScanner(std::string_view text, const std::string& file,
                        const CsvLayout& layout, std::vector<std::size_t> columns,
-                       bool plain)
+                       bool plain, bool counted)
     : text_(text.substr(layout.first_row_offset)),
       file_(file),
       layout_(layout),
       reader_(text_, file, layout.first_row_line),
       slot_of_(layout.columns.size(), -1),
       plain_(plain),
+      counted_(counted),
       found_(columns.size()) {
   for (std::size_t slot = 0; slot < columns.size(); ++slot) {
     slot_of_[columns[slot]] = static_cast<std::int32_t>(slot);
@@ -121,31 +124,61 @@ InputError RowScanner::error(std::size_t slot, std::string expected, std::string
           std::move(advice)};
 }
 
+bool RowScanner::is_remark() const {
+  if (plain_ || counted_) return false;
+  std::vector<std::string_view> cells;
+  std::string_view first;
+  for (std::size_t column = 0; column < slot_of_.size(); ++column) {
+    if (slot_of_[column] < 0) continue;
+    if (cells.empty()) first = layout_.columns[column].first;
+    cells.push_back(found_[static_cast<std::size_t>(slot_of_[column])].text);
+  }
+  return workbench::is_remark(cells, first, layout_, behind_head_);
+}
+
 void RowScanner::reject(const InputError& why) {
   if (plain_ && !is_cut_off()) throw why;
-  if (!rejected_) {
-    rejected_ = why;
-    rejected_text_ = utf8_of(text_.substr(
+  if (!rejected_.first) {
+    rejected_.first = why;
+    rejected_.text = utf8_of(text_.substr(
         row_offset_, std::min<std::size_t>(
                          text_.find_first_of("\r\n", row_offset_) - row_offset_, 40)));
   }
-  if (++rejected_lines_ > kMostFooterLines) throw InputError(*rejected_);
+  ++rejected_.lines;
+  if (is_remark()) return;
+  if (!wrong_) wrong_ = why;
+  if (++wrong_lines_ > kMostFooterLines) throw InputError(*wrong_);
 }
 
 void RowScanner::accept() {
-  if (rejected_) throw InputError(*rejected_);
   ++rows_;
+  if (!rejected_.first) return;
+  if (wrong_) throw InputError(*wrong_);
+  const std::size_t lines = remarks_.lines + rejected_.lines;
+  if (!remarks_.first) remarks_ = std::move(rejected_);
+  remarks_.lines = lines;
+  rejected_ = {};
 }
 
 std::vector<std::string> RowScanner::finish() {
+  constexpr std::size_t kRowsOfRemark = 10;
   std::vector<std::string> notes;
-  if (rejected_) {
-    if (rows_ < 2) throw InputError(*rejected_);
+  if (remarks_.first) {
+    if (remarks_.lines * kRowsOfRemark > rows_) throw InputError(*remarks_.first);
     notes.push_back(
-        (rejected_lines_ == 1
+        remarks_.lines == 1
+            ? filled("a line between the rows is no row ({0}): left out",
+                     {quoted(remarks_.text)})
+            : filled("{0} lines between the rows are no rows (first {1}): left out",
+                     {std::to_string(remarks_.lines), quoted(remarks_.text)}));
+  }
+  if (rejected_.first) {
+    if (rows_ < 2) throw InputError(*rejected_.first);
+    notes.push_back(
+        (rejected_.lines == 1
              ? std::string("the last line is no row")
-             : "the last " + std::to_string(rejected_lines_) + " lines are no rows") +
-        " ('" + rejected_text_ + "'): left out");
+             : "the last " + std::to_string(rejected_.lines) + " lines are no rows") +
+        " ('" + rejected_.text + "'): left out");
   }
   return notes;
 }

@@ -21,14 +21,16 @@ namespace workbench {
 /// left out, and noted. In an export empty lines are skipped, cells beyond the header may
 /// be empty, cells may lack at the end where nothing wanted stands, and up to
 /// kMostFooterLines lines at the end may be no rows at all (a count of rows, a
-/// signature): they are noted. About 1 ns a byte.
+/// signature): they are noted. So are lines of words between the rows (remark_line.hpp),
+/// at most one for ten rows, unless rows are counted. About 1 ns a byte.
 inline constexpr std::size_t kMostFooterLines = 5;
 
 class RowScanner {
  public:
   /// Wants the cells of `columns`, which are indices; everything must outlive this.
+  /// `counted`: rows have no times, so that a line between them may stand for one.
   RowScanner(std::string_view text, const std::string& file, const CsvLayout& layout,
-             std::vector<std::size_t> columns, bool plain);
+             std::vector<std::size_t> columns, bool plain, bool counted = false);
 
   /// To the next row; false at the end. Throws InputError.
   bool next();
@@ -60,6 +62,7 @@ class RowScanner {
     std::string_view text;
     std::size_t column = 0;
   };
+  [[nodiscard]] bool is_remark() const;
   // No row, but what stood above the first one; the reader is behind it then.
   bool skip_head();
   // Takes the cells of a line; false: nothing in it.
@@ -75,6 +78,7 @@ class RowScanner {
   std::vector<std::int32_t> slot_of_;  // by column; -1: not wanted
   std::size_t needed_ = 0;             // columns up to the last wanted
   bool plain_;
+  bool counted_;
   bool first_ = true;
   bool behind_head_ = false;
   std::vector<Found> found_;
@@ -85,9 +89,16 @@ class RowScanner {
   std::size_t filled_cells_ = 0;  // up to the last that is not empty
   std::size_t end_column_ = 0;
   std::size_t empty_line_ = 0;  // the first before a row
-  std::optional<InputError> rejected_;
-  std::string rejected_text_;
-  std::size_t rejected_lines_ = 0;
+  // Lines that are no rows.
+  struct Rejected {
+    std::optional<InputError> first;
+    std::string text;  // of the first
+    std::size_t lines = 0;
+  };
+  Rejected rejected_;                // since the last row
+  std::optional<InputError> wrong_;  // the first of these that is no remark
+  std::size_t wrong_lines_ = 0;
+  Rejected remarks_;  // between the rows
   std::size_t rows_ = 0;
 };
 

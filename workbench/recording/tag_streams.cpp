@@ -100,7 +100,7 @@ class StreamReader {
     std::optional<std::size_t> unit;
     if (source_.choice.unit) unit = want(wanted, *source_.choice.unit);
     std::string tag;
-    RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
+    RowScanner rows(source_.text, source_.file, source_.layout, wanted, false, counted);
     while (rows.next()) {
       check_stop(source_.options.stop);
       const std::string_view key = tag_of(rows, keys, tag);
@@ -207,7 +207,9 @@ class StreamReader {
     std::vector<std::size_t> wanted;
     const std::vector<std::size_t> keys = want_keys(wanted);
     const std::vector<ValueSlot> values = want_values(wanted);
-    RowScanner rows(source_.text, source_.file, source_.layout, wanted, false);
+    const auto& times = source_.choice.times;
+    RowScanner rows(source_.text, source_.file, source_.layout, wanted, false,
+                    times.empty());
     std::string text;
     while (rows.next()) {
       check_stop(source_.options.stop);
@@ -237,7 +239,6 @@ class StreamReader {
     stream_of.resize(values.size());
     TimePlace counted;
     counted.seconds_only = true;
-    const auto& times = source_.choice.times;
     for (const PickedSignal& picked : chosen) {
       const std::size_t value = picked.index % values.size();
       stream_of[value][tag_texts_[picked.index / values.size()]] = streams_.size();

@@ -58,7 +58,8 @@ class WideReader {
   }
 
   bool read(Recording& out) {
-    RowScanner rows(source_.text, source_.file, source_.layout, wanted_, plain_);
+    RowScanner rows(source_.text, source_.file, source_.layout, wanted_, plain_,
+                    !has_time_);
     reserve(rows.likely_rows());
     while (rows.next()) {
       check_stop(source_.options.stop);

@@ -87,6 +87,8 @@ export default {
   'the last {0} lines are no rows ({1}): left out': 'die letzten {0} Zeilen sind keine Datenzeilen ({1}): ausgelassen',
   'the times begin anew after {0} (line {1}): read as a recording of its own, behind a gap of unknown length': 'die Zeiten beginnen nach {0} von vorn (Zeile {1}): als eigene Aufzeichnung gelesen, hinter einer Lücke unbekannter Länge',
   'the times begin anew {0} times (first after {1}, line {2}): read as recordings of their own, with gaps of unknown length between': 'die Zeiten beginnen {0} Mal von vorn (zuerst nach {1}, Zeile {2}): als eigene Aufzeichnungen gelesen, mit Lücken unbekannter Länge dazwischen',
+  'a line between the rows is no row ({0}): left out': 'eine Zeile zwischen den Datenzeilen ist keine ({0}): ausgelassen',
+  '{0} lines between the rows are no rows (first {1}): left out': '{0} Zeilen zwischen den Datenzeilen sind keine (zuerst {1}): ausgelassen',
   '{0} row repeats': '{0} Zeile',
   '{0} rows repeat': '{0} Zeilen',
   'the first {0} a value in some column: dropped': 'am Anfang {0} ein Wert in einer Spalte: weggelassen',
