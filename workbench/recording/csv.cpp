@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "workbench/recording/column_choice.hpp"
@@ -45,6 +46,24 @@ void note_ignored_time(const CsvLayout& layout, double ts, Recording& out) {
 
 }  // namespace
 
+namespace {
+
+// A signal a sheet, as others write a file a tag.
+std::optional<std::string> joined_sheets(const std::vector<NamedSheet>& sheets,
+                                         const CsvOptions& options) {
+  constexpr const char* kEnding = ".sheet";  // a point in the name is none
+  std::vector<NamedBytes> files;
+  std::set<std::string> tags;
+  for (const NamedSheet& sheet : sheets) {
+    files.push_back({sheet.name + kEnding, std::string(sheet.text)});
+    const auto one = tag_file(files.back().bytes, files.back().path, options);
+    if (!one || !tags.insert(one->tag).second) return std::nullopt;
+  }
+  return table_of_tag_files(files, options);
+}
+
+}  // namespace
+
 SheetChoice sheet_wanted(const CsvOptions& options) {
   return {options.sheet,
           [&options](std::string_view text) {
@@ -60,7 +79,11 @@ SheetChoice sheet_wanted(const CsvOptions& options) {
               return false;
             }
           },
+          [&options](const std::vector<NamedSheet>& sheets) {
+            return joined_sheets(sheets, options);
+          },
           {},
+          false,
           options.stop};
 }
 
@@ -86,6 +109,17 @@ Recording read_table(const CsvSource& source) {
   return out;
 }
 
+namespace {
+
+Recording parse_text(std::string_view text, const std::string& name,
+                     const std::string& note, const CsvOptions& options) {
+  CsvLayout layout = layout_of(text, name, wish_of(options));
+  if (!note.empty()) layout.notes.push_back(note);
+  return read_table({text, name, layout, chosen(layout, name, options), options});
+}
+
+}  // namespace
+
 Recording parse_csv(std::string_view text, const std::string& name,
                     const CsvOptions& options) {
   if (options.ts && !(std::isfinite(*options.ts) && *options.ts > 0)) {
@@ -95,9 +129,15 @@ Recording parse_csv(std::string_view text, const std::string& name,
   SheetChoice sheet = sheet_wanted(options);
   text = text_of(text, name, converted, sheet);
   check_stop(options.stop);
-  CsvLayout layout = layout_of(text, name, wish_of(options));
-  if (!sheet.note.empty()) layout.notes.push_back(sheet.note);
-  return read_table({text, name, layout, chosen(layout, name, options), options});
+  if (!sheet.joined) return parse_text(text, name, sheet.note, options);
+  CsvOptions of_joined = options;
+  of_joined.names.time.clear();
+  try {
+    return parse_text(text, name, sheet.note, of_joined);
+  } catch (const InputError& error) {
+    // Lines are those of no sheet.
+    throw InputError(error.file, 0, 0, error.expected, error.found, error.advice);
+  }
 }
 
 Recording read_csv(const std::string& path, const CsvOptions& options) {

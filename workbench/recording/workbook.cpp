@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/open_document.hpp"
 #include "workbench/recording/sheet_date.hpp"
@@ -225,17 +226,37 @@ std::string names_of(const std::vector<SheetTable*>& sheets) {
   return names;
 }
 
-// Of several tables the one that is named, or alone has the columns.
-SheetTable& chosen_of(std::vector<SheetTable*> tables, const std::string& file,
+std::optional<std::string> joined_text(const std::vector<SheetTable*>& tables,
+                                       SheetChoice& choice) {
+  if (!choice.name.empty() || !choice.join) return std::nullopt;
+  std::vector<NamedSheet> sheets;
+  for (const SheetTable* table : tables) {
+    sheets.push_back({table->name, table->text.text()});
+  }
+  std::optional<std::string> out = choice.join(sheets);
+  choice.joined = out.has_value();
+  if (out) {
+    choice.note =
+        filled("a signal a sheet, joined by their times: {0}", {names_of(tables)});
+  }
+  return out;
+}
+
+// Of several tables the one that is named, or alone has the columns; or all as one.
+std::string chosen_of(std::vector<SheetTable*> tables, const std::string& file,
                       SheetChoice& choice) {
   const std::string all = names_of(tables);
+  const std::vector<SheetTable*> of_all = tables;
   std::erase_if(tables, [&choice](const SheetTable* sheet) {
     return !choice.name.empty() ? sheet->name != choice.name
                                 : choice.fits && !choice.fits(sheet->text.text());
   });
   if (tables.size() == 1) {
     choice.note = "sheet " + quoted(tables[0]->name) + " taken of " + all;
-    return *tables[0];
+    return tables[0]->text.take();
+  }
+  if (tables.empty()) {
+    if (std::optional<std::string> text = joined_text(of_all, choice)) return *text;
   }
   if (!choice.name.empty()) {
     throw InputError(file, 0, 0, "a sheet " + quoted(choice.name), "the sheets " + all,
@@ -276,9 +297,8 @@ std::string workbook_text(std::string_view bytes, const std::string& file,
     }
   }
   if (longest == nullptr) throw archive.refusal("no sheet with cells");
-  return tables.size() > 1 || !choice.name.empty()
-             ? chosen_of(tables, file, choice).text.take()
-             : longest->text.take();
+  return tables.size() > 1 || !choice.name.empty() ? chosen_of(tables, file, choice)
+                                                   : longest->text.take();
 }
 
 }  // namespace workbench

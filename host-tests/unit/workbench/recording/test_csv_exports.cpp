@@ -245,6 +245,7 @@ TEST(ExportCorpus, IsTestedWhole) {
                                     "mostly-bad.csv",
                                     "damaged.xlsx",
                                     "workbook-two-sheets.xlsx",
+                                    "workbook-sheet-a-tag.xlsx",
                                     "workbook.xls",
                                     "table.xls",
                                     "frame.parquet",

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "workbench/recording/csv.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/recording/workbook.hpp"
@@ -65,6 +66,39 @@ TEST(Workbook, TakesTheSheetThatIsNamedOrFits) {
   EXPECT_TRUE(has_times(text_of_book(bytes, {"", has_times})));
   EXPECT_THROW((void)text_of_book(bytes), InputError);
   EXPECT_THROW((void)text_of_book(bytes, {"Alarm"}), InputError);
+}
+
+TEST(Workbook, MayHoldASignalASheet) {
+  const std::string bytes = bytes_of("workbook-sheet-a-tag.xlsx");
+  const Recording r = parse_csv(bytes, "a.xlsx");
+  EXPECT_EQ(r.size(), 60U);
+  EXPECT_EQ(r.tags, "u FIC101.OP, y FIC101.PV");
+  EXPECT_EQ(r.resampling.notes.front(),
+            "a signal a sheet, joined by their times: 'FIC101.OP', 'FIC101.PV'");
+  CsvOptions options;
+  options.names.u = "FIC101.PV";
+  options.names.y = "FIC101.OP";
+  EXPECT_EQ(parse_csv(bytes, "a.xlsx", options).u, r.y);
+  options.names.u = "TIC205";
+  EXPECT_THROW((void)parse_csv(bytes, "a.xlsx", options), std::invalid_argument);
+}
+
+TEST(Workbook, JoinsSheetsOnlyWhereNoneFits) {
+  const std::string bytes = bytes_of("workbook-sheet-a-tag.xlsx");
+  SheetChoice choice;
+  choice.fits = [](std::string_view) { return false; };
+  std::string names;
+  choice.join = [&names](const std::vector<NamedSheet>& sheets) {
+    for (const NamedSheet& sheet : sheets) names += sheet.name + ' ';
+    return std::optional<std::string>("all");
+  };
+  EXPECT_EQ(workbook_text(bytes, "f", choice), "all");
+  EXPECT_EQ(names, "FIC101.OP FIC101.PV ");
+  EXPECT_TRUE(choice.joined);
+  choice.fits = {};
+  EXPECT_THROW((void)workbook_text(bytes, "f", choice), InputError) << "both do";
+  choice.name = "FIC101.PV";
+  EXPECT_NE(workbook_text(bytes, "f", choice), "all");
 }
 
 }  // namespace

@@ -89,6 +89,7 @@ export default {
   'the times begin anew {0} times (first after {1}, line {2}): read as recordings of their own, with gaps of unknown length between': 'die Zeiten beginnen {0} Mal von vorn (zuerst nach {1}, Zeile {2}): als eigene Aufzeichnungen gelesen, mit Lücken unbekannter Länge dazwischen',
   'a line between the rows is no row ({0}): left out': 'eine Zeile zwischen den Datenzeilen ist keine ({0}): ausgelassen',
   '{0} lines between the rows are no rows (first {1}): left out': '{0} Zeilen zwischen den Datenzeilen sind keine (zuerst {1}): ausgelassen',
+  'a signal a sheet, joined by their times: {0}': 'ein Signal je Blatt, nach ihren Zeiten verbunden: {0}',
   '{0} row repeats': '{0} Zeile',
   '{0} rows repeat': '{0} Zeilen',
   'the first {0} a value in some column: dropped': 'am Anfang {0} ein Wert in einer Spalte: weggelassen',
