@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "workbench/recording/column_name.hpp"
+#include "workbench/recording/json_shapes.hpp"
 #include "workbench/recording/parsed_json.hpp"
 
 namespace workbench {
@@ -384,6 +385,7 @@ std::optional<std::string> json_text(std::string_view text) {
     const std::string finite = without_nan(text);
     root = parsed_json<Json>(finite);
   }
+  if (!root.is_discarded()) root = known_shape(std::move(root));
   const bool found = root.is_discarded() ? add_lines(text, rows) : add_table(root, rows);
   return found ? rows.text() : std::nullopt;
 }

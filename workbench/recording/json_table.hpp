@@ -17,7 +17,8 @@ namespace workbench {
 /// rows;
 /// - several series, each with its rows: Items in Items (PI Web API), data.result
 ///   (Prometheus), results.series (InfluxDB), the states of each entity of Home
-///   Assistant's history; their names stand in a first column.
+///   Assistant's history; their names stand in a first column;
+/// - what known_shape() makes one of these (json_shapes.hpp).
 /// A value that is an object is its Name (a digital state of PI), null an empty cell.
 /// Nothing: another shape, or no JSON. At most 64 MiB are looked at.
 [[nodiscard]] std::optional<std::string> json_text(std::string_view text);
