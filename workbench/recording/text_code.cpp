@@ -8,7 +8,10 @@
 #include <cstddef>
 
 #include "workbench/recording/column_name.hpp"
+#include "workbench/recording/letters.hpp"
+#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
+#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 namespace {
@@ -62,7 +65,17 @@ std::optional<std::string> decoded(std::string_view bytes, const char* code,
   return readable ? std::optional(std::move(out)) : std::nullopt;
 }
 
-// Cells beyond ASCII that are words for columns.
+// A word for a column or a quality, or a time with words in it (2026/3/17 上午 08:15).
+bool is_known(std::string_view cell) {
+  constexpr std::size_t kShortest = 4;  // of a quality, bytes
+  const ColumnName name = column_name(cell);
+  if (name.part != Part::kNone && !has_high(name.tag)) return true;
+  if (written_time(cell)) return true;
+  return cell.size() >= kShortest &&
+         quality_word(lower_case(utf8_of(cell))) != QualityWord::kUnknown;
+}
+
+// Cells beyond ASCII that are known.
 std::size_t words_in(std::string_view text) {
   std::size_t words = 0;
   std::size_t lines = 0;
@@ -70,10 +83,7 @@ std::size_t words_in(std::string_view text) {
     const std::size_t end = std::min(text.find_first_of(",;\t|\r\n"), text.size());
     const std::string_view cell = text.substr(0, end);
     if (end < text.size() && text[end] == '\n') ++lines;
-    if (has_high(cell)) {
-      const ColumnName name = column_name(cell);
-      if (name.part != Part::kNone && !has_high(name.tag)) ++words;
-    }
+    if (has_high(cell) && is_known(cell)) ++words;
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return words;

@@ -8,7 +8,8 @@
 namespace workbench {
 
 /// Of a text whose first 64 KiB are no UTF-8: the whole of it in UTF-8, from the code in
-/// which most of its cells beyond ASCII are words for columns: Shift-JIS, EUC-JP, GBK,
+/// which most of its cells beyond ASCII are words for columns or qualities, or times with
+/// words in them: Shift-JIS, EUC-JP, GBK,
 /// Big5, Korean, Windows-1250, -1251 and -1254, code page 866, KOI8-R, ISO 8859-2.
 /// Nothing: it is UTF-8, or no other code makes more words than Windows-1252, or the
 /// system lacks the code.

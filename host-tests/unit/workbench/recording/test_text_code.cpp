@@ -20,6 +20,18 @@ TEST(TextCode, Windows1252NeedsNoOther) {
   EXPECT_FALSE(recoded_text("\xE4\xE4\xE4,\xF6\n"));
 }
 
+TEST(TextCode, TimesAndQualitiesTellItToo) {
+  // "上午" in GBK, "午後" in Shift-JIS, "오전" in Korean; "正常" in GBK.
+  EXPECT_EQ(recoded_text("Time,OP\n2026/3/17 \xC9\xCF\xCE\xE7 08:15:00,1\n"),
+            "Time,OP\n2026/3/17 上午 08:15:00,1\n");
+  EXPECT_EQ(recoded_text("Time,OP\n2026/3/17 \x8C\xDF\x8C\xE3 8:15:00,1\n"),
+            "Time,OP\n2026/3/17 午後 8:15:00,1\n");
+  EXPECT_EQ(recoded_text("2026-03-17 \xBF\xC0\xC0\xFC 08:15:00,1\n"),
+            "2026-03-17 오전 08:15:00,1\n");
+  EXPECT_EQ(recoded_text("Time,OP,Q\n1,2,\xD5\xFD\xB3\xA3\n"), "Time,OP,Q\n1,2,正常\n");
+  EXPECT_FALSE(recoded_text("Zeit,OP,Q\n1,2,ung\xFCltig\n13-M\xE4r-26,2,gut\n"));
+}
+
 TEST(TextCode, NorDoesUtf8) {
   EXPECT_FALSE(recoded_text("操作量,PV\n"));
   EXPECT_FALSE(recoded_text("t,u,y\n"));
