@@ -10,6 +10,7 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kMostLines = 60;
+constexpr std::size_t kFileTimeDigits = 18;  // 100 ns from 1601
 
 std::string_view without_end(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
@@ -28,18 +29,26 @@ Cells cells_of(std::string_view line, char separator) {
   return out;
 }
 
+// Some versions end lines with a separator.
+void drop_blank_end(Cells& cells, std::size_t width) {
+  while (cells.size() > width && cells.back().empty()) cells.pop_back();
+}
+
 // What stands above the rows: a line for each attribute, its key where the time of a
 // group of signals stands below: "Name;a;Name;b;c".
 class ScopeHeader {
  public:
   [[nodiscard]] bool started() const { return !names_.empty(); }
+  // The name of the project stands above, alone.
   void start(Cells cells) {
+    drop_blank_end(cells, 0);
     if (cells.size() > 2 && cells[0] == "Name") names_ = std::move(cells);
   }
 
   /// False where the line is none of an attribute.
   bool add(Cells cells) {
-    if (cells.size() != names_.size()) return false;
+    drop_blank_end(cells, width());
+    if (cells.size() != width()) return false;
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (is_time(c) && cells[c] != cells[0]) return false;
     }
@@ -56,11 +65,12 @@ class ScopeHeader {
   [[nodiscard]] bool is_scope() const { return is_scope_; }
   [[nodiscard]] std::size_t width() const { return names_.size(); }
 
-  [[nodiscard]] std::string text(char separator) const {
+  /// `time`: the name of the times.
+  [[nodiscard]] std::string text(char separator, std::string_view time) const {
     std::string out;
     for (std::size_t c = 0; c < names_.size(); ++c) {
       if (c > 0) out += separator;
-      out += is_time(c) ? "t [ms]" : name_of(c);
+      out += is_time(c) ? std::string(time) : name_of(c);
     }
     return out;
   }
@@ -97,9 +107,12 @@ std::optional<std::string> read_with(std::string_view text, char separator) {
     const std::string_view line = without_end(text.substr(at, end - at));
     Cells cells = cells_of(line, separator);
     if (header.started() && !line.empty() && wire::is_digit(line[0])) {
+      drop_blank_end(cells, header.width());
       if (!header.is_scope() || cells.size() != header.width()) return std::nullopt;
       std::string out(lines - 1, '\n');
-      ((out += header.text(separator)) += '\n') += text.substr(at);
+      const bool absolute = cells[0].size() >= kFileTimeDigits;
+      ((out += header.text(separator, absolute ? "Time" : "t [ms]")) += '\n') +=
+          text.substr(at);
       return out;
     }
     if (!header.started()) {

@@ -35,6 +35,11 @@ bool is_blank(std::string_view cell) {
          lower == "<na>" || lower == "none";
 }
 
+// Of a signal whose rows are fewer than those of others; TwinCAT Scope writes EOF.
+bool is_over(std::string_view time) {
+  return time.empty() || time == "EOF";
+}
+
 class StreamReader {
  public:
   explicit StreamReader(const CsvSource& source)
@@ -281,7 +286,7 @@ class StreamReader {
       std::size_t samples = 0;
       std::optional<InputError> error;
       for (std::size_t i = 0; i < streams_.size(); ++i) {
-        if (rows.cell(slots[i].column).empty()) continue;
+        if (is_over(rows.cell(slots[i].column))) continue;
         if (source_.choice.own_rows && is_blank(rows.cell(values[i]))) continue;
         if (!reader_.append_time(rows, slots[i], streams_[i].times)) {
           error = reader_.time_error(rows, slots[i], streams_[i].times.form());

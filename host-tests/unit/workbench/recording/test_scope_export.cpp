@@ -30,6 +30,19 @@ TEST(ScopeExport, GivesSignalsOfOnePeriodOneTime) {
             "\n\n\n\n\n\nt [ms]\tA.OP\tt [ms]\tA.PV [l/min]\tA.SP\n0\t1\t0\t2\t3\n");
 }
 
+TEST(ScopeExport, MayEndLinesWithASeparator) {
+  EXPECT_EQ(scope_text("Name\ts1\t\nFile\ts1.csv\t\n\nName\tA.OP\tName\tA.PV\t\n"
+                       "SymbolComment\t\tSymbolComment\t\t\n"
+                       "SampleTime[ms]\t1\tSampleTime[ms]\t1\n\n0\t1\t0\t2\t\n"),
+            "\n\n\n\n\n\nt [ms]\tA.OP\tt [ms]\tA.PV\n0\t1\t0\t2\t\n");
+  EXPECT_FALSE(scope_text("Name;A;Name;B;\nUnit;;Unit;;5\n0;1;0;2;\n"));
+}
+
+TEST(ScopeExport, MayHaveTheTimesOfWindows) {
+  EXPECT_EQ(scope_text(scope("1", "133238090039920000"))->substr(6, 16),
+            "Time;A.OP;Time;A");
+}
+
 TEST(ScopeExport, IsNoneWithoutRowsOrAttributes) {
   EXPECT_FALSE(scope_text(""));
   EXPECT_FALSE(scope_text("Name;Value\nFIC101.OP;1\nFIC101.PV;2\n"));

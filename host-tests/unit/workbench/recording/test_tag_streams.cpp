@@ -230,5 +230,20 @@ TEST(TagStreams, BeginWhereTheFirstSampleIs) {
   EXPECT_EQ(r.t.front(), 0);
 }
 
+TEST(TagStreams, MayEndBeforeOthers) {
+  const auto with_end = [](const std::string& end) {
+    std::string text = "t [s],A.OP,t [s],A.PV\n";
+    for (int k = 0; k < 300; ++k) {
+      const std::string time = std::to_string(k);
+      text += time + ',' + std::to_string(k % 7) + ',' +
+              (k < 200 ? time + ',' + std::to_string(k % 5) : end) + '\n';
+    }
+    return parse_streams(text);
+  };
+  const Recording r = with_end("EOF,EOF");
+  EXPECT_EQ(r.size(), 200U);
+  EXPECT_EQ(r.y, with_end(",").y);
+}
+
 }  // namespace
 }  // namespace workbench
