@@ -29,6 +29,7 @@ struct SignalRows {
   QualityScale scale;
   std::size_t bad = 0;                 ///< cells that said "no value"
   std::string bad_word;                ///< the first of them
+  std::size_t truths = 0;              ///< cells that said True or False
   std::size_t uncertain = 0;           ///< values that are kept though questionable
   WordCounts strangers;                ///< of bad: words that nobody knows
   std::optional<InputError> stranger;  ///< to be thrown if they are too many

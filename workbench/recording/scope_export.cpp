@@ -53,7 +53,8 @@ class ScopeHeader {
       if (is_time(c) && cells[c] != cells[0]) return false;
     }
     const std::string_view key = cells[0];
-    is_scope_ = is_scope_ || key == "Unit ScaleFactor" || key == "SampleTime[ms]";
+    is_scope_ = is_scope_ || key == "Unit ScaleFactor" || key == "SampleTime[ms]" ||
+                key == "SymbolBased";
     if (key == "Unit") {
       units_ = std::move(cells);
     } else if (key == "ScaleFactor" || key == "Unit ScaleFactor" || key == "Offset" ||

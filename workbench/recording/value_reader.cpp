@@ -8,6 +8,7 @@
 #include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
+#include "workbench/recording/folded.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_parts.hpp"
@@ -30,9 +31,43 @@ bool says_uncertain(std::string_view cell) {
   return found && found->word == QualityWord::kUncertain;
 }
 
+// True and False, as programs write what a switch is told.
+std::optional<double> truth_of(std::string_view cell) {
+  if (cell.size() < 4 || cell.size() > 5) return std::nullopt;
+  const std::string word = folded(cell);
+  if (word == "true") return 1;
+  if (word == "false") return 0;
+  return std::nullopt;
+}
+
 }  // namespace
 
+// Of a switch all values are of its kind.
+bool ValueReader::append_truth(const RowScanner& row, std::size_t slot,
+                               SignalRows& signal) const {
+  if (signal.column != Column::u) return false;
+  const std::string_view cell = row.cell(slot);
+  const std::optional<double> truth = truth_of(cell);
+  if (!truth && signal.truths == 0) return false;
+  const bool is_first = signal.truths == 0;
+  const bool number_before = is_first && std::ranges::any_of(signal.values, [](double v) {
+                               return v > 1 || v < 0;
+                             });
+  if (number_before || !(truth || cell.empty() || cell == "0" || cell == "1")) {
+    throw InputError(row.error(
+        slot,
+        "True or False in column " + quoted(signal.name) + ", or a number in each row",
+        quoted(cell), "repair the cells of another kind"));
+  }
+  signal.truths += truth ? 1 : 0;
+  signal.values.push_back(truth          ? *truth
+                          : cell.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                         : static_cast<double>(cell == "1"));
+  return true;
+}
+
 void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& signal) {
+  if (append_truth(row, slot, signal)) return;
   const std::string_view cell = row.cell(slot);
   double value = std::numeric_limits<double>::quiet_NaN();
   if (!cell.empty()) {

@@ -36,6 +36,7 @@ class ValueReader {
 
   /// Appends the cell of `slot` to `signal`: its number, or NaN where the cell is empty
   /// or says that there is no value; for a load, NaN for whatever is no number. In an
+  /// u may be True and False: 1 and 0. In an
   /// export a unit may stand behind the numbers, the same in every cell but for a prefix,
   /// or a K where others have none; and brackets around negative ones. Throws InputError
   /// for anything else.
@@ -48,6 +49,7 @@ class ValueReader {
                                       TimeForm form) const;
 
  private:
+  bool append_truth(const RowScanner& row, std::size_t slot, SignalRows& signal) const;
   // What the parts say as one text.
   std::optional<std::string> joined_time(const RowScanner& row, const TimeSlots& slots);
   // The number of a cell, and the unit behind it.

@@ -91,20 +91,20 @@ TEST_F(HistoryFiles, AStartWithTheSameLoopsWritesNothing) {
 
 TEST_F(HistoryFiles, AYearThinsOutAndItsSizeIsFixed) {
   constexpr std::uint32_t kYear_s = 365 * 86'400;
-  constexpr std::uint32_t kStart_s = 1'700'000'000;
-  live(kStart_s, kStart_s + kYear_s, 2048);
+  constexpr std::uint32_t kBegin_s = 1'700'000'000;
+  live(kBegin_s, kBegin_s + kYear_s, 2048);
   const auto all = rows();
   EXPECT_EQ(std::filesystem::file_size(path), kHistoryHeader + 3 * kHistoryLoopBytes);
   EXPECT_LE(kHistoryLoopBytes, 256U * 1024);
   EXPECT_LE(31 * kHistoryLoopBytes + kHistoryHeader, 8U * 1024 * 1024);
-  EXPECT_NEAR(static_cast<double>(all.front().time_s), kStart_s, 86'400)
+  EXPECT_NEAR(static_cast<double>(all.front().time_s), kBegin_s, 86'400)
       << "the year is there";
   std::uint32_t widest = 0;
   std::uint32_t widest_of_60_days = 0;
   for (std::size_t k = 1; k < all.size(); ++k) {
     const std::uint32_t apart = all[k].time_s - all[k - 1].time_s;
     widest = std::max(widest, apart);
-    if (all[k].time_s > kStart_s + kYear_s - 59 * 86'400) {
+    if (all[k].time_s > kBegin_s + kYear_s - 59 * 86'400) {
       widest_of_60_days = std::max(widest_of_60_days, apart);
     }
   }

@@ -194,6 +194,15 @@ TEST(Csv, RefusesWhatIsNotANumber) {
   EXPECT_EQ(error_of(nul).line, 3U);
 }
 
+TEST(Csv, ASwitchMayBeTrueAndFalse) {
+  EXPECT_EQ(parse("t,u,y\n0,False,1\n1,True,2\n2,true,3\n3,FALSE,4\n").u,
+            (Values{0, 1, 1, 0}));
+  EXPECT_EQ(parse("t,u,y\n0,0,1\n1,True,2\n2,,3\n3,0,4\n").u, (Values{0, 1, 1, 0}));
+  EXPECT_EQ(error_of("t,u,y\n0,False,1\n1,35.5,2\n2,True,3\n").column, 3U);
+  EXPECT_EQ(error_of("t,u,y\n0,35.5,1\n1,True,2\n2,30,3\n").column, 3U);
+  EXPECT_EQ(error_of("t,u,y\n0,1,1\n1,2,False\n2,3,3\n").column, 5U);
+}
+
 TEST(Csv, TheDecimalMarkMayBeGiven) {
   const std::string text =
       "Zeit;OP;PV\n14.03.2026 08:00:00;4.498;60.028\n14.03.2026 08:00:05;4.496;60.037\n";

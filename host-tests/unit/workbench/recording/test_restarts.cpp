@@ -31,7 +31,7 @@ std::string refusal(const std::string& text) {
 const std::string kHead = "Time [s],FIC101.OP,FIC101.PV\n";
 
 TEST(Restarts, BeginAPieceBehindAGap) {
-  for (const std::string head : {std::string(), "\n\n" + kHead}) {
+  for (const std::string& head : {std::string(), "\n\n" + kHead}) {
     const Recording r = parse_csv(kHead + run(80) + head + run(70, 0, 1, 80), "a.csv");
     ASSERT_EQ(r.size(), 150U + kOutage - 1);
     ASSERT_EQ(r.resampling.gaps.size(), 1U);

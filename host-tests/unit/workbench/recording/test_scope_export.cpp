@@ -38,6 +38,13 @@ TEST(ScopeExport, MayEndLinesWithASeparator) {
   EXPECT_FALSE(scope_text("Name;A;Name;B;\nUnit;;Unit;;5\n0;1;0;2;\n"));
 }
 
+TEST(ScopeExport, IsKnownByItsSymbols) {
+  EXPECT_EQ(scope_text("Name,YT Scope Project,\nFile,s1.csv,\n\n\nName,A,Name,B\n"
+                       "SampleTime,50,SampleTime,50\nSymbolBased,True,SymbolBased,True\n"
+                       "SymbolName,GVL.A,SymbolName,GVL.B\n\n\n0,1,0,2\n"),
+            "\n\n\n\n\n\n\n\n\nt [ms],A,t [ms],B\n0,1,0,2\n");
+}
+
 TEST(ScopeExport, MayHaveTheTimesOfWindows) {
   EXPECT_EQ(scope_text(scope("1", "133238090039920000"))->substr(6, 16),
             "Time;A.OP;Time;A");
