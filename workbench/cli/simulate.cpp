@@ -127,8 +127,8 @@ std::string summary(const SimulatedLoop& loop, const Options& options) {
   const LoopTruth& truth = loop.truth;
   std::string text = options.scenario + ", seed " + options.seed + ": " +
                      std::to_string(loop.t.size()) + " samples, one every " +
-                     number(loop.period_s) + " s\ntruth: " + truth.kind + ", moved by " +
-                     truth.cause;
+                     number(loop.period_s) + " s\ntruth: " + truth.kind +
+                     (truth.cause == truth.kind ? "" : ", moved by " + truth.cause);
   if (truth.stick_band_ascending > 0 || truth.stick_band_descending > 0) {
     text += "; stick band " + number(truth.stick_band_ascending) + " ascending, " +
             number(truth.stick_band_descending) + " descending (units of u)";
