@@ -9,6 +9,7 @@
 #include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
+#include "workbench/recording/within_row.hpp"
 
 namespace workbench {
 
@@ -154,6 +155,7 @@ std::vector<RecordingSource> sources_of(const RecordingSource& like,
 Recording read_recording(const RecordingSource& source) {
   Recording recording = read_as_it_is(source);
   if (source.u_before) put_rest_before(recording, *source.u_before);
+  note_within_row(recording);
   return recording;
 }
 

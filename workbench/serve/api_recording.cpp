@@ -7,6 +7,7 @@
 #include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
+#include "workbench/recording/within_row.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
 #include "workbench/serve/column_preview.hpp"
@@ -100,6 +101,7 @@ ApiResponse open_text(Session& session, const std::string& text, const std::stri
   note_further(text, options, recording);
   const std::optional<double> u_before = u_before_in(request);
   if (u_before) put_rest_before(recording, *u_before);
+  note_within_row(recording);
   const std::string source = source_words(name, options, u_before);
   const auto reading = std::make_shared<const CsvOptions>(options);
   if (keep) {

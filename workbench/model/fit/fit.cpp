@@ -7,6 +7,7 @@
 #include "workbench/model/base/noise.hpp"
 #include "workbench/model/fit/gain_sign.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/within_row.hpp"
 
 namespace workbench {
 namespace {
@@ -124,8 +125,10 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   Parts parts = parts_of(recording);
   pieces_ = std::move(parts.pieces);
   u_ = recording.u;
+  // A stem is read in the row of its signal, and so is what is quicker than the rows.
+  const bool within_row = output == Column::x || sign_of_jumps(recording.u, y) != 0;
   for (const Piece& piece : pieces_) {
-    if (output != Column::x) break;
+    if (!within_row) break;
     const auto next =
         std::span(recording.u).subspan(piece.first + 1, piece.last - piece.first - 1);
     std::ranges::copy(next, std::span(u_).subspan(piece.first).begin());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ident/signal/controller_action.hpp"
+#include "workbench/recording/within_row.hpp"
 
 namespace workbench {
 namespace {
@@ -22,38 +23,6 @@ bool is_moved_by_hand(std::span<const double> u, std::span<const double> y) {
     if (u[k] == u[k - 1]) ++rests;
   }
   return static_cast<double>(rests) > kMost * static_cast<double>(moves);
-}
-
-// (W39) Sign with which y jumps in the rows in which u jumps, up and down, and stays: a
-// process that is quicker than the rows. Of the two only u can be switched. 0 where they
-// do not, or not always the same way.
-int sign_of_jumps(std::span<const double> u, std::span<const double> y) {
-  constexpr double kJump = 0.3;         // of the range
-  constexpr std::ptrdiff_t kStays = 3;  // rows to either side
-  constexpr int kFewest = 3;
-  const auto jump = [](std::span<const double> signal, std::size_t k, double least) {
-    const auto at = signal.begin() + static_cast<std::ptrdiff_t>(k);
-    const auto [low, high] = std::minmax_element(at - kStays, at);
-    const auto [low_then, high_then] = std::minmax_element(at, at + kStays);
-    if (*low_then - *high > least) return 1;
-    return *low - *high_then > least ? -1 : 0;
-  };
-  const auto least_of = [](std::span<const double> signal) {
-    const auto [low, high] = std::ranges::minmax(signal);
-    return kJump * (high - low);
-  };
-  if (u.size() < 2 * kStays) return 0;
-  const double of_u = least_of(u);
-  const double of_y = least_of(y);
-  int same = 0;
-  int opposite = 0;
-  for (std::size_t k = kStays; k + kStays <= u.size(); ++k) {
-    const int both = jump(u, k, of_u) * jump(y, k, of_y);
-    same += both > 0;
-    opposite += both < 0;
-  }
-  if (same >= kFewest && opposite == 0) return 1;
-  return opposite >= kFewest && same == 0 ? -1 : 0;
 }
 
 }  // namespace

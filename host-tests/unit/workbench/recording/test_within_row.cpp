@@ -1,0 +1,72 @@
+// A fan that is switched on and off, its pressure read in the same row or one later.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "workbench/model/fit/fit.hpp"
+#include "workbench/recording/within_row.hpp"
+
+namespace workbench {
+namespace {
+
+Recording fan(std::size_t late, double gain = 0.018) {
+  Recording out;
+  out.name = "fan";
+  out.period_s = 60;
+  for (std::size_t k = 0; k < 600; ++k) {
+    const double t = static_cast<double>(k);
+    out.t.push_back(60 * t);
+    out.u.push_back(k / 60 % 2 == 0 ? 0 : 50 + 8 * std::sin(t / 5) + std::sin(t));
+    const double moved = k < late ? 0 : out.u[k - late];
+    out.y.push_back(gain * moved + 0.004 * std::sin(t * t));
+  }
+  return out;
+}
+
+TEST(WithinRow, TellsTheSignOfWhatJumpsTogether) {
+  const auto sign_of = [](const Recording& r) { return sign_of_jumps(r.u, r.y); };
+  EXPECT_EQ(sign_of(fan(0)), 1);
+  EXPECT_EQ(sign_of(fan(0, -2)), -1);
+  EXPECT_EQ(sign_of(fan(1)), 0);
+  Recording both_ways = fan(0);
+  for (std::size_t k = 300; k < 600; ++k) both_ways.y[k] = -both_ways.y[k];
+  EXPECT_EQ(sign_of(both_ways), 0);
+  EXPECT_EQ(sign_of_jumps({}, {}), 0);
+}
+
+// Jumps of the sensor are answered in their row, too, but they do not stay.
+TEST(WithinRow, ASpikeIsNoSwitch) {
+  Recording r = fan(1);
+  for (std::size_t k = 0; k < r.size(); ++k) r.u[k] = r.y[k] = k % 50 == 30 ? 1 : 0;
+  EXPECT_EQ(sign_of_jumps(r.u, r.y), 0);
+}
+
+// A proportional controller answers a quick swing of y within the row.
+TEST(WithinRow, ASwingIsNoSwitch) {
+  Recording r = fan(1);
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    r.y[k] = std::sin(static_cast<double>(k) * 0.6);
+    r.u[k] = -1.5 * r.y[k];
+  }
+  EXPECT_EQ(sign_of_jumps(r.u, r.y), 0);
+}
+
+TEST(WithinRow, IsNoted) {
+  Recording r = fan(1);
+  note_within_row(r);
+  EXPECT_TRUE(r.resampling.notes.empty());
+  r = fan(0);
+  note_within_row(r);
+  EXPECT_EQ(r.resampling.notes.size(), 1U);
+}
+
+TEST(WithinRow, TheModelTakesUOneRowEarlier) {
+  for (const std::size_t late : {0U, 1U}) {
+    const Recording r = fan(late);
+    const Fitter fitter(r, Column::y);
+    EXPECT_LT(fitter.rmse(fitter.start({})), 0.006) << late;
+  }
+}
+
+}  // namespace
+}  // namespace workbench

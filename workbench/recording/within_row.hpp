@@ -1,0 +1,18 @@
+// A process that answers within the row of the u that moved it.
+#pragma once
+
+#include <span>
+
+#include "workbench/recording/recording.hpp"
+
+namespace workbench {
+
+/// (W39) Sign with which y jumps in the rows in which u jumps, up and down, and stays:
+/// the log wrote y after u had acted. Of the two only u can be switched. 0 where they do
+/// not, not always the same way, or one is missing. O(samples).
+[[nodiscard]] int sign_of_jumps(std::span<const double> u, std::span<const double> y);
+
+/// Adds a note where y answers within the row of u: models then take u one row earlier.
+void note_within_row(Recording& recording);
+
+}  // namespace workbench
