@@ -116,6 +116,11 @@ class Overflow final : public Effect {
     if (tail > kConvincing) return {};
     return tail;
   }
+  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
+                                      std::span<const double>) const override {
+    const bool holds = p[2] >= s.u_high && is_setpoint(s, p[0]);
+    return holds ? "the level is the setpoint, where a controller holds the output" : "";
+  }
   void form(std::span<const double> p, ProcessShape& shape) const override {
     shape.brim = p[2];
     shape.spill_share = p[3];
@@ -128,6 +133,19 @@ class Overflow final : public Effect {
   }
 
  private:
+  // Mostly, while the output is there.
+  static bool is_setpoint(const Situation& s, double level) {
+    if (s.sp.size() != s.samples()) return false;
+    const double near = s.y_span() / 100;
+    std::size_t there = 0;
+    std::size_t wanted = 0;
+    for (std::size_t k = 0; k < s.samples(); ++k) {
+      if (s.y[k] < level - near) continue;
+      ++there;
+      wanted += std::abs(s.sp[k] - level) < near ? 1 : 0;
+    }
+    return 2 * wanted > there;
+  }
   // Moves of u by an eighth of its span while the output is held at `level`: each is an
   // occasion of its own to leave.
   static int count_unanswered(const Situation& s, double level) {

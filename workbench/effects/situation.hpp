@@ -24,6 +24,7 @@ struct Situation {
   double period_s = 1;
   std::span<const double> u;
   std::span<const double> y;         ///< the modelled output
+  std::span<const double> sp;        ///< setpoint of y; empty where unknown
   std::span<const double> residual;  ///< y minus the model so far; empty before the first
   std::span<const unsigned char> estimation;  ///< 1 where a sample may be fitted
   double first_lag_s = 0;                     ///< of the model so far; 0 where unknown

@@ -135,6 +135,7 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   }
   base_ = situation_of(u_, y, recording.period_s);
   base_.pieces = pieces_;
+  if (output == Column::y) base_.sp = recording.sp;
   base_.loads = recording.loads;
   base_.filled_share = static_cast<double>(recording.resampling.missing) /
                        static_cast<double>(recording.size());

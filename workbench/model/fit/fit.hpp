@@ -149,6 +149,11 @@ class Fitter {
   [[nodiscard]] double rmse(const Fit& fit) const;
   [[nodiscard]] double rmse_on(const Fit& fit, bool estimation) const;
 
+  /// What the identification has seen so far also stands for outputs that hardly differ
+  /// from those that it looked at. Not while parts of a for_each() run: what is settled
+  /// must not depend on which of them came first.
+  void settle_stems() const;
+
  private:
   [[nodiscard]] Fit taken_over(Fit other, bool from_elsewhere,
                                const std::function<double(double)>& moved) const;
@@ -178,8 +183,8 @@ class Fitter {
 
   struct StemsOf {
     std::vector<double> y;
-    std::size_t effects = 0;
     std::vector<SeenStem> stems;
+    bool settled = false;
   };
   [[nodiscard]] const StemsOf* known_stems(const Fit& fit,
                                            const std::vector<double>& y) const;

@@ -25,22 +25,25 @@ double apart(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-// What was seen of the same output, or of one that differs by less than the fit leaves
-// unexplained. Of the latter only those of fewer effects: they are known before, whatever
-// the number of threads.
+// What was seen of the same output, or of a settled one that differs by less than the fit
+// leaves unexplained.
 const Fitter::StemsOf* Fitter::known_stems(const Fit& fit,
                                            const std::vector<double>& y) const {
   const StemsOf* nearest = nullptr;
   double least = dot(fit.residual, fit.residual);
   for (const StemsOf& known : stems_) {
     if (known.y == y) return &known;
-    if (known.effects >= fit.effects.size()) continue;
+    if (!known.settled) continue;
     const double between = apart(known.y, y);
     if (between >= least) continue;
     least = between;
     nearest = &known;
   }
   return nearest;
+}
+
+void Fitter::settle_stems() const {
+  for (StemsOf& known : stems_) known.settled = true;
 }
 
 // The output less the loads of a fit, as the identification sees it. It looks at all
@@ -54,9 +57,7 @@ std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
   }
   std::vector<SeenStem> stems = stems_in_pieces(y);
   const std::lock_guard lock(stems_mutex_);
-  if (stems_.size() < kMostStems) {
-    stems_.push_back({std::move(y), fit.effects.size(), stems});
-  }
+  if (stems_.size() < kMostStems) stems_.push_back({std::move(y), stems});
   return stems;
 }
 

@@ -150,6 +150,7 @@ void add_together(const Fitter& fitter, const Fit& base, double hopeless_above,
     return trial.partner != nullptr && accepted(trial);
   };
   if (std::ranges::any_of(trials, is_found)) return;
+  fitter.settle_stems();
   for (Trial& triple : triples_of(fitter, base, trials, std::move(closest))) {
     trials.push_back(std::move(triple));
   }
@@ -295,6 +296,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
                     double hopeless_above) {
   Exploration out;
   out.base = start;
+  fitter.settle_stems();
   const Told told = told_between(fitter, start, identified);
   const bool blind = told == Told::kNothing || told == Told::kLoads;
   std::vector<Trial> trials =

@@ -302,6 +302,7 @@ std::vector<Trial> pairs_of(const Fitter& fitter, const Fit& base,
                             std::vector<Trial>& closest) {
   PairSearch search(fitter, base, trials, hopeless_above);
   std::vector<Trial> pairs = search.screened();
+  fitter.settle_stems();
   fitter.work().for_each(
       pairs.size(), [&](std::size_t i) { pairs[i].fit = fitter.refine(*pairs[i].fit); });
   std::stable_sort(pairs.begin(), pairs.end(),

@@ -87,6 +87,26 @@ TEST(LoadRamp, IsDoubtedWhereALoneMoveOfUIsAnswered) {
   EXPECT_EQ(objection(60), "") << "half the recording later";
 }
 
+TEST(Overflow, IsNoneAtTheSetpoint) {
+  std::vector<double> u(200);
+  std::vector<double> y(200);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    u[k] = k / 50 % 2 == 0 ? 0 : 50 + static_cast<double>(k % 7);
+    y[k] = u[k] > 0 ? 1 : 0;
+  }
+  Situation s = situation_of(u, y, 1);
+  const auto objection = [&s] {
+    return effects::process_overflow().objection(
+        s, std::vector<double>{0.999, 1, s.u_high, 1}, std::vector<double>{});
+  };
+  EXPECT_EQ(objection(), "") << "without one";
+  std::vector<double> sp(200, 1.0);
+  s.sp = sp;
+  EXPECT_NE(objection(), "");
+  sp.assign(200, 1.5);
+  EXPECT_EQ(objection(), "");
+}
+
 // Friction bends a slow swing of u; its overtones are no load.
 TEST(LoadSinusoid, IsDoubtedAtAnOvertoneOfU) {
   std::vector<double> u(600);
