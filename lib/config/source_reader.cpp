@@ -1,5 +1,7 @@
 #include "config/source_reader.hpp"
 
+#include <arpa/inet.h>
+
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -17,6 +19,33 @@ std::string number_text(double value) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.12g", value);
   return text.data();
+}
+
+// The server of a register: a host with its port, or a serial line. No name is looked up.
+void read_server(TableReader& reader, Modbus& modbus) {
+  if (reader.has("host") == reader.has("device")) {
+    reader.complain("host",
+                    "expected the IPv4 address of a server, or device, a serial line, "
+                    "found neither or both; give one");
+  }
+  const std::size_t before = reader.complaints().count();
+  reader.read("host", modbus.host);
+  reader.read("device", modbus.device);
+  in_addr address{};
+  if (reader.has("host") && reader.complaints().count() == before &&
+      inet_pton(AF_INET, modbus.host.c_str(), &address) != 1) {
+    reader.complain("host",
+                    "expected an IPv4 address, as \"10.0.0.5\", found \"" + modbus.host +
+                        "\"; write the four numbers, and the port under the key port");
+  }
+  if (reader.has("device")) {
+    std::size_t parity = 1;
+    reader.read_integer("baud", modbus.baud, 1200, 115200);
+    reader.read_choice("parity", parity, {"N", "E", "O"});
+    modbus.parity = "NEO"[parity];
+  } else {
+    reader.read_integer("port", modbus.port, 1, 65535);
+  }
 }
 
 }  // namespace
@@ -247,21 +276,7 @@ void SourceReader::read_analog(TableReader& reader, Source& source) {
 
 void SourceReader::read_modbus(TableReader& reader, Source& source) {
   Modbus& modbus = source.modbus;
-  reader.read("host", modbus.host);
-  reader.read("device", modbus.device);
-  if (modbus.host.empty() == modbus.device.empty()) {
-    reader.complain("host",
-                    "expected the IPv4 address of a server, or device, a serial line, "
-                    "found neither or both; give one");
-  }
-  if (modbus.device.empty()) {
-    reader.read_integer("port", modbus.port, 1, 65535);
-  } else {
-    std::size_t parity = 1;
-    reader.read_integer("baud", modbus.baud, 1200, 115200);
-    reader.read_choice("parity", parity, {"N", "E", "O"});
-    modbus.parity = "NEO"[parity];
-  }
+  read_server(reader, modbus);
   reader.read_integer("unit", modbus.unit, 0, 247);
   std::size_t table = 0;
   reader.read_choice("table", table, {"holding", "input"});

@@ -48,6 +48,28 @@ TEST(SourceReader, TheSameSignalTwiceIsToldWhereBothCanBeRead) {
   EXPECT_EQ(error_of(modbus + "1", modbus + "2"), "");
 }
 
+TEST(SourceReader, AModbusHostIsAnAddress) {
+  const std::string y = "source = \"modbus\", host = \"10.0.0.5\", address = 1";
+  EXPECT_EQ(error_of(y + "1", y), "");
+  for (const char* host : {"plc.local", "10.0.0.300", "10.0.0.5:502", "10.0.0"}) {
+    const std::string said = error_of(
+        "source = \"modbus\", address = 2, host = \"" + std::string(host) + '"', y);
+    EXPECT_NE(said.find(std::string("loop[1].u.host: expected an IPv4 address, as "
+                                    "\"10.0.0.5\", found \"") +
+                        host),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(lines_of(said), 1) << said;
+  }
+  const std::string modbus = "source = \"modbus\", address = 2";
+  EXPECT_EQ(lines_of(error_of(modbus + ", host = \"\"", y)), 1);
+  EXPECT_EQ(lines_of(error_of(modbus + ", host = 7", y)), 1);
+  EXPECT_EQ(lines_of(error_of(modbus, y)), 1);
+  EXPECT_EQ(
+      lines_of(error_of(modbus + ", host = \"10.0.0.5\", device = \"/dev/ttyS0\"", y)),
+      1);
+}
+
 TEST(SourceReader, AMultiplexerHasWholeValuesThatFitIntoIt) {
   const auto said = [](const char* value) {
     return error_of(
