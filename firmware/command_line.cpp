@@ -176,6 +176,9 @@ int replay(const Options& options) {
     print(event_line(notice, t_s, gateway, options.json));
   });
   if (!good) return complain(replay.error(), kBadInput);
+  for (const std::string& line : sources_beside_can(gateway)) {
+    std::fprintf(stderr, "stickbandd: %s\n", line.c_str());
+  }
   tell_cut(options.replay, replay.cut_line());
   for (std::size_t k = 0; k < gateway.loops.size(); ++k) {
     print(summary_line(replay, k, options.json));
@@ -202,8 +205,13 @@ int print_history(const Options& options) {
                candidate.tag == options.history;
       });
   if (loop == gateway.loops.end()) {
+    std::string known;
+    for (const config::Loop& one : gateway.loops) {
+      known +=
+          (known.empty() ? "" : ", ") + std::to_string(one.id) + " (" + one.tag + ')';
+    }
     return complain("expected the id or the tag of a loop after --history, found \"" +
-                        options.history + "\"; see " + options.config,
+                        options.history + "\"; " + options.config + " has " + known,
                     kBadInput);
   }
   HistoryFile file(gateway.history->path);

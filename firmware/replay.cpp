@@ -14,6 +14,10 @@ constexpr int kSlice = 1000;
 constexpr std::int64_t kBack_us = 1'000'000;
 constexpr std::int64_t kOn_us = 3'600'000'000;
 
+bool is_beside_can(const config::Source* source) {
+  return source && source->kind != config::SourceKind::kCan;
+}
+
 }  // namespace
 
 Replay::Replay(const config::Gateway& configuration)
@@ -94,6 +98,13 @@ bool Replay::open_logs(const std::string& log) {
 }
 
 bool Replay::play(const std::string& log, const Listener& listener) {
+  const auto has_input = [](const config::Loop& loop) {
+    return !is_beside_can(&loop.u) && !is_beside_can(&loop.y);
+  };
+  if (std::none_of(configuration_.loops.begin(), configuration_.loops.end(), has_input)) {
+    error_ = sources_beside_can(configuration_).front();
+    return false;
+  }
   if (!open_logs(log)) return false;
   // The log of each bus with its next frame; a bus the log does not name stays silent.
   std::vector<BusFrame> next(files_.size());
@@ -161,6 +172,24 @@ std::vector<std::uint8_t> Replay::ask(std::span<const std::uint8_t> request) {
       return {answer->data.begin(), answer->data.end()};
   }
   return {};
+}
+
+std::vector<std::string> sources_beside_can(const config::Gateway& configuration) {
+  std::vector<std::string> lines;
+  for (const config::Loop& loop : configuration.loops) {
+    for (std::size_t role = 0; role < kRoles; ++role) {
+      const config::Source* source = source_of(loop, static_cast<Role>(role));
+      if (!is_beside_can(source)) continue;
+      const bool is_register = source->kind == config::SourceKind::kModbus;
+      lines.push_back(config::at_place(
+          configuration, source->place,
+          std::string("expected a signal on CAN, found ") +
+              (is_register ? "a Modbus register" : "a converter") +
+              ": a CAN log has no value of it; replay loops whose u and y are on CAN"));
+      break;
+    }
+  }
+  return lines;
 }
 
 }  // namespace firmware

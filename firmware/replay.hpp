@@ -7,6 +7,9 @@
 // evaluation that is due ends before the next frame, and at the end each loop's window is
 // evaluated once more.
 //
+// A CAN log has no value of a converter or a register: a loop that needs one stays
+// without its input. Where no loop is left with u and y, there is nothing to play.
+//
 // A step of the log's clock, back by more than a second or on by more than an hour (and
 // than the inputs need to be missed), is told as a gap: the inputs go missing, and the
 // replay goes on from there.
@@ -33,7 +36,7 @@ class Replay {
   explicit Replay(const config::Gateway& configuration);
 
   /// Plays the whole log; `listener` hears each notice with the seconds since the first
-  /// frame. False: error() says what is wrong with the log.
+  /// frame. False: error() says what is wrong with the log, or that it has no loop.
   [[nodiscard]] bool play(const std::string& log, const Listener& listener);
   [[nodiscard]] const std::string& error() const { return error_; }
   /// Number of the log's last line where it was cut and left out; 0: it was not.
@@ -74,5 +77,10 @@ class Replay {
   std::size_t cut_line_ = 0;
   std::string error_;
 };
+
+/// The loops with a source that no CAN log has a value of, one line each: the first such
+/// source, with its place in the file.
+[[nodiscard]] std::vector<std::string> sources_beside_can(
+    const config::Gateway& configuration);
 
 }  // namespace firmware

@@ -295,7 +295,9 @@ TEST(Restart, TheProgramPrintsAHistory) {
   const Process::Result result = ask("1");
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_NE(result.out.find(",stiction,1,"), std::string::npos) << result.out;
-  EXPECT_EQ(ask("2").code, 3);
+  const Process::Result unknown = ask("2");
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_NE(unknown.err.find("g.toml has 1 (A)"), std::string::npos) << unknown.err;
 }
 
 // `flagged` stopped; the program is back so many seconds later. `anew`: the machine, too.

@@ -202,5 +202,38 @@ TEST_F(Replayed, ALogMayBeCalledAnything) {
   EXPECT_TRUE(play(path).empty());
 }
 
+// A loop on CAN and, where `more` is one, another.
+config::Gateway sources(const std::string& u, const std::string& more = "") {
+  const std::string y =
+      "y = { source = \"can\", frame_id = 2, start = 0, length = 16 }\n";
+  const std::string head = "[[loop]]\nsample_period_s = 0.5\nid = ";
+  std::string text = "[bus.a]\nbackend = \"slcan\"\nport = 0\n" + head +
+                     "1\ntag = \"A\"\nu = { " + u + " }\n" + y;
+  if (!more.empty()) text += head + "2\ntag = \"B\"\nu = { " + more + " }\n" + y;
+  return config::parse_gateway(text, "g.toml");
+}
+constexpr const char* kOnCan = "source = \"can\", frame_id = 1, start = 0, length = 16";
+constexpr const char* kConverter =
+    "source = \"iio\", name = \"adc\", channel = \"voltage0\"";
+
+TEST_F(Replayed, ALogWithoutTheSourcesOfAnyLoopIsNotPlayed) {
+  const config::Gateway gateway = sources(kConverter);
+  Replay replay(gateway);
+  EXPECT_FALSE(replay.play(loop.log(), [](const Notice&, double) {}));
+  EXPECT_EQ(replay.error(),
+            "g.toml:8: loop[1].u: expected a signal on CAN, found a converter: a CAN log "
+            "has no value of it; replay loops whose u and y are on CAN");
+}
+
+TEST_F(Replayed, ALoopBesideCanIsToldAndTheOthersArePlayed) {
+  const config::Gateway gateway = sources(kOnCan, kConverter);
+  Replay replay(gateway);
+  EXPECT_TRUE(replay.play(loop.log(), [](const Notice&, double) {})) << replay.error();
+  const std::vector<std::string> told = sources_beside_can(gateway);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("loop[2].u: "), std::string::npos) << told[0];
+  EXPECT_TRUE(sources_beside_can(sources(kOnCan)).empty());
+}
+
 }  // namespace
 }  // namespace firmware
