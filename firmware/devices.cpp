@@ -105,15 +105,24 @@ Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
     const config::Source& source = *source_of(loop, point.role);
     converters[k].period_us =
         std::llround(loop.sample_period_s * 1e6 / kReadingsPerSample);
-    if (source.kind == config::SourceKind::kModbus) {
-      converters[k].converter = modbus.input(source.modbus, converters[k].period_us);
-      continue;
+    const auto adc = [&](hal::AdcKind kind) {
+      return std::make_unique<hal::SysfsAdc>(
+          kind, configuration.sysfs_root, source.name, source.channel, source.index,
+          hal::AdcFactors{source.scale, source.offset});
+    };
+    switch (source.kind) {
+      case config::SourceKind::kCan:  // a bus, and no analog point
+        break;
+      case config::SourceKind::kIio:
+        converters[k].converter = adc(hal::AdcKind::kIio);
+        break;
+      case config::SourceKind::kHwmon:
+        converters[k].converter = adc(hal::AdcKind::kHwmon);
+        break;
+      case config::SourceKind::kModbus:
+        converters[k].converter = modbus.input(source.modbus, converters[k].period_us);
+        break;
     }
-    converters[k].converter = std::make_unique<hal::SysfsAdc>(
-        source.kind == config::SourceKind::kIio ? hal::AdcKind::kIio
-                                                : hal::AdcKind::kHwmon,
-        configuration.sysfs_root, source.name, source.channel, source.index,
-        hal::AdcFactors{source.scale, source.offset});
   }
 }
 
@@ -192,8 +201,12 @@ std::string Devices::open_new(const Devices& old) {
     bool operator()(const config::Source& source) const {
       return std::any_of(configuration.loops.begin(), configuration.loops.end(),
                          [&](const config::Loop& l) {
-                           return same(l.u, source) || same(l.y, source) ||
-                                  (l.sp && same(*l.sp, source));
+                           for (std::size_t role = 0; role < kRoles; ++role) {
+                             const config::Source* old =
+                                 source_of(l, static_cast<Role>(role));
+                             if (old && same(*old, source)) return true;
+                           }
+                           return false;
                          });
     }
     static bool same(const config::Source& a, const config::Source& b) {
