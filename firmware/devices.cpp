@@ -81,6 +81,24 @@ void BackOff::failed(std::int64_t now_us) {
   next_us_ = now_us + wait_us_;
 }
 
+void BusDevice::reopen(std::int64_t now_us) {
+  if (ended || !back_off.due(now_us)) return;
+  up = bus->open();
+  queued = 0;
+  if (up) {
+    back_off.succeeded();
+  } else {
+    back_off.failed(now_us);
+  }
+}
+
+void BusDevice::lost(hal::CanStatus status, std::int64_t now_us) {
+  up = false;
+  ended = status == hal::CanStatus::kEnded;
+  queued = 0;
+  back_off.failed(now_us);
+}
+
 Devices::Devices(const config::Gateway& configuration, const Daemon& daemon,
                  const hal::Clock& clock)
     : buses(configuration.buses.size()),

@@ -32,9 +32,15 @@ class BackOff {
 struct BusDevice {
   static constexpr std::size_t kQueue = 2 * Daemon::kMostFrames;
 
+  /// Opens the bus where it is time to; what waited for room is void.
+  void reopen(std::int64_t now_us);
+  /// Takes the bus as it is after a status other than kOk and kWait.
+  void lost(hal::CanStatus status, std::int64_t now_us);
+
   std::unique_ptr<hal::CanBus> bus;
   BackOff back_off;
   bool up = false;
+  bool ended = false;  ///< a recording is over: it is not opened again
   std::array<wire::CanFrame, kQueue> queue;  // waits for room on the bus
   std::size_t queued = 0;
 };

@@ -65,7 +65,7 @@ void EventLoop::run(const std::string& path) {
   state_ = take_state(gateway_->configuration);
   const std::string missing = gateway_->devices.open_all();
   if (!missing.empty()) throw std::runtime_error(missing);
-  tell_unanswered();
+  tell_devices();
   if (state_) state_->restore(gateway_->daemon, now());
   // Years of history may take a while to be read.
   drive(gateway_->daemon.flags(), now());
@@ -199,12 +199,6 @@ void EventLoop::take_memory(Daemon& next) {
   (void)next.restore_windows(image, at, true);
 }
 
-void EventLoop::tell_unanswered() {
-  for (const std::string& server : gateway_->devices.unanswered) {
-    log_.write(now().us, Priority::kWarning, server.c_str(), Topic::kDevices);
-  }
-}
-
 void EventLoop::reload() {
   manager_.tell("RELOADING=1");
   try {
@@ -233,7 +227,7 @@ void EventLoop::reload() {
     const std::string lost = gateway_->devices.open_all();
     if (!lost.empty())
       log_.write(now().us, Priority::kError, lost.c_str(), Topic::kDevices);
-    tell_unanswered();
+    tell_devices();
     if (history_) history_->finish();
     history_.reset();
     const std::string taken = take_history();
@@ -249,25 +243,13 @@ void EventLoop::reload() {
   manager_.tell("READY=1");
 }
 
-void EventLoop::reopen_bus(std::size_t index, const Now& at) {
-  BusDevice& device = gateway_->devices.buses[index];
-  if (!device.back_off.due(at.us)) return;
-  device.up = device.bus->open();
-  device.queued = 0;
-  if (device.up) {
-    device.back_off.succeeded();
-  } else {
-    device.back_off.failed(at.us);
-  }
-}
-
 void EventLoop::read_buses(const Now& at) {
   const std::int64_t epoch_us = at.epoch_us - at.us;
   std::array<hal::ReceivedFrame, 256> received;
   auto& buses = gateway_->devices.buses;
   for (std::size_t k = 0; k < buses.size(); ++k) {
     BusDevice& device = buses[k];
-    if (!device.up) reopen_bus(k, at);
+    if (!device.up) device.reopen(at.us);
     while (device.up && frame_count_ < kMostFrames) {
       const std::size_t room = std::min(received.size(), kMostFrames - frame_count_);
       std::size_t count = 0;
@@ -281,9 +263,7 @@ void EventLoop::read_buses(const Now& at) {
       if (status == hal::CanStatus::kOk) continue;
       if (status == hal::CanStatus::kWait) break;
       log_.write(at.us, Priority::kWarning, device.bus->error(), Topic::kDevices);
-      device.up = false;
-      device.queued = 0;
-      device.back_off.failed(at.us);
+      device.lost(status, at.us);
     }
     states_[k] = {device.up, device.queued == 0, device.bus->drops()};
   }

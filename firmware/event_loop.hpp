@@ -53,14 +53,14 @@ class EventLoop {
   [[nodiscard]] bool wait(bool busy);
   void take_signals();
   void reload();
-  void tell_unanswered();
+  /// Servers that do not answer, and recordings without their times.
+  void tell_devices();
   void take_memory(Daemon& next);
   [[nodiscard]] std::unique_ptr<StateKeeper> take_state(const config::Gateway& gateway);
   /// Empty, or that another process has it.
   [[nodiscard]] std::string take_history();
   void read_buses(const Now& now);
   void sort_frames();
-  void reopen_bus(std::size_t index, const Now& now);
   void read_converters(const Now& now);
   void send(const Outputs& outputs);
   void drive(std::span<const bool> flags, const Now& now);

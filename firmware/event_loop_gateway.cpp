@@ -28,6 +28,20 @@ Gateway::Gateway(config::Gateway values, Random& random, const hal::Clock& clock
       daemon(configuration, random, STICKBAND_VERSION),
       devices(configuration, daemon, clock) {}
 
+void EventLoop::tell_devices() {
+  for (const std::string& server : gateway_->devices.unanswered) {
+    log_.write(now().us, Priority::kWarning, server.c_str(), Topic::kDevices);
+  }
+  for (const config::Bus& bus : gateway_->configuration.buses) {
+    if (bus.backend != config::Backend::kFile || bus.real_time) continue;
+    const std::string line = config::at_place(
+        gateway_->configuration, bus.place,
+        "expected a log in real time, found real_time = false: its times are lost, and "
+        "what is said of its loops means nothing; judge a log with --replay");
+    log_.write(now().us, Priority::kWarning, line.c_str(), Topic::kDevices);
+  }
+}
+
 std::string check_gateway(const std::string& path, const hal::Clock& clock,
                           bool offline) {
   const std::unique_ptr<Random> random = system_random();

@@ -18,10 +18,11 @@ struct ReceivedFrame {
 };
 
 enum class CanStatus : std::uint8_t {
-  kOk,    ///< done
-  kWait,  ///< nothing to read, or no room to send: try again later
-  kDown,  ///< the link is down; what was queued is void
-  kLost,  ///< the bus is gone or was never there: open() again
+  kOk,     ///< done
+  kWait,   ///< nothing to read, or no room to send: try again later
+  kDown,   ///< the link is down; what was queued is void
+  kLost,   ///< the bus is gone or was never there: open() again
+  kEnded,  ///< there is nothing more to come: a recording is over
 };
 
 /// Identifiers to receive: those that agree with `id` in the bits of `mask`.

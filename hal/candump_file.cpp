@@ -133,7 +133,7 @@ CanStatus CandumpFile::read(std::span<ReceivedFrame> out, std::size_t& count) {
   } else if (!failed_) {
     error_.set("%s: the log has ended", path_.c_str());
   }
-  return CanStatus::kLost;
+  return CanStatus::kEnded;
 }
 
 CanStatus CandumpFile::write(const wire::CanFrame& /*frame*/) {

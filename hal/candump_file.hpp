@@ -27,7 +27,7 @@ class CandumpFile final : public CanBus {
 
   /// False also for a line that is not one of candump: error() names line and column.
   [[nodiscard]] bool open() override;
-  /// kLost after the last frame.
+  /// kEnded after the last frame, and at a line that is none.
   [[nodiscard]] CanStatus read(std::span<ReceivedFrame> out, std::size_t& count) override;
   [[nodiscard]] CanStatus write(const wire::CanFrame& frame) override;
   [[nodiscard]] int descriptor() const override { return -1; }

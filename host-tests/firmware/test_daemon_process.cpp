@@ -397,6 +397,34 @@ TEST_F(Running, AReloadWhoseBusCannotBeOpenedKeepsWhatWorks) {
   EXPECT_EQ(daemon.err().find("is down"), std::string::npos) << daemon.err();
 }
 
+TEST_F(Running, ARecordedBusIsPlayedOnceAndAnewAfterAReload) {
+  std::ofstream(files.log()) << "(1.0) can0 18E#00000000\n";
+  write(text());
+  Process daemon({STICKBAND_DAEMON, "--config", path});
+  ASSERT_TRUE(daemon.says("the log has ended")) << daemon.err();
+  std::this_thread::sleep_for(500ms);  // five times the first wait for a bus that is away
+  const auto ends = [&daemon] {
+    const std::string said = daemon.err();
+    std::size_t count = 0;
+    for (std::size_t at = said.find("log has ended"); at != std::string::npos;
+         at = said.find("log has ended", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(ends(), 1U) << daemon.err();
+  EXPECT_EQ(daemon.err().find("real_time"), std::string::npos) << daemon.err();
+  std::string fast = text();
+  fast.insert(fast.find("[bus.lab]"), "real_time = false\n");
+  write(fast);
+  daemon.signal(SIGHUP);
+  ASSERT_TRUE(daemon.says("configuration loaded anew")) << daemon.err();
+  EXPECT_NE(daemon.err().find("bus.log: expected a log in real time"), std::string::npos)
+      << daemon.err();
+  for (int k = 0; k < 100 && ends() < 2; ++k) std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(ends(), 2U) << daemon.err();
+}
+
 TEST_F(Running, ReplaysAndAnswersWithTheContractsExitCodes) {
   const Result json = run(
       {"--config", files.toml(), "--replay", files.log(), "--json", "--ask", "22FD10"});

@@ -38,7 +38,7 @@ TEST_F(Log, GivesTheFramesOfItsInterfaceAsFastAsTheyAreRead) {
   EXPECT_TRUE(frames[1].frame.fd);
   EXPECT_TRUE(frames[2].frame.extended);
   EXPECT_EQ(bus.drops(), 1U) << "the CAN XL frame";
-  EXPECT_EQ(bus.read(frames, count), CanStatus::kLost);
+  EXPECT_EQ(bus.read(frames, count), CanStatus::kEnded);
   EXPECT_EQ(count, 0U);
   EXPECT_TRUE(bus.open()) << "from the start again";
 }
@@ -82,7 +82,7 @@ TEST_F(Log, ABrokenLineIsNamedAndWhatCameBeforeItIsGiven) {
   ASSERT_TRUE(bus.open());
   EXPECT_EQ(bus.read(frames, count), CanStatus::kOk);
   EXPECT_EQ(count, 1U);
-  EXPECT_EQ(bus.read(frames, count), CanStatus::kLost);
+  EXPECT_EQ(bus.read(frames, count), CanStatus::kEnded);
   EXPECT_NE(std::string(bus.error()).find(":2:"), std::string::npos) << bus.error();
 }
 
@@ -94,7 +94,7 @@ TEST_F(Log, ALastLineThatWasCutIsLeftOutAndNamed) {
     EXPECT_EQ(bus.read(frames, count), CanStatus::kOk);
     EXPECT_EQ(count, 2U);
     EXPECT_EQ(bus.cut_line(), 3U);
-    EXPECT_EQ(bus.read(frames, count), CanStatus::kLost);
+    EXPECT_EQ(bus.read(frames, count), CanStatus::kEnded);
     EXPECT_NE(std::string(bus.error()).find("line 3, its last, is cut"),
               std::string::npos)
         << bus.error();
