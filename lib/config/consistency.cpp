@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <system_error>
 #include <tuple>
 
@@ -64,7 +65,9 @@ void check_ids(const Gateway& gateway, Complaints& complaints) {
     ids.claim(uds->bus, uds->functional_id, uds->extended_ids, false, uds->place,
               "uds.functional_id");
   }
+  std::set<int> known;
   for (const Loop& loop : gateway.loops) {
+    if (loop.id == 0 || !known.insert(loop.id).second) continue;  // told already
     if (gateway.broadcast) {
       ids.claim(gateway.broadcast->bus,
                 gateway.broadcast->base_id + static_cast<std::uint32_t>(loop.id), false,
@@ -175,7 +178,7 @@ void check_consistency(const Gateway& gateway, Complaints& complaints) {
   std::map<std::string, std::string> tags;
   std::map<std::pair<std::string, unsigned>, std::string> lines;
   for (const Loop& loop : gateway.loops) {
-    claim_once(loop_ids, loop.id, loop.place, "an id", complaints);
+    if (loop.id > 0) claim_once(loop_ids, loop.id, loop.place, "an id", complaints);
     if (!loop.tag.empty()) claim_once(tags, loop.tag, loop.place, "a tag", complaints);
     if (loop.flag && !loop.flag->chip.empty()) {
       claim_once(lines, std::pair(loop.flag->chip, loop.flag->line), loop.flag->place,

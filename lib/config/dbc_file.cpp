@@ -37,6 +37,7 @@ DbcFile::DbcFile(std::string text, std::string name)
 bool DbcFile::find(const std::string& reference, wire::FrameSignal& out) {
   const wire::DbcStatus status = content().find(reference, out);
   if (!status.ok()) explain(status);
+  misses_message_ = status.error == wire::DbcError::kUnknownMessage;
   return status.ok();
 }
 

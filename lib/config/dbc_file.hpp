@@ -25,6 +25,8 @@ class DbcFile {
   /// parameter group. False: error() says what was expected.
   [[nodiscard]] bool find_spn(std::uint32_t pgn, std::uint32_t spn,
                               wire::FrameSignal& out);
+  /// Whether the last find() failed for the message, not for its signal.
+  [[nodiscard]] bool misses_message() const { return misses_message_; }
   /// One line, with the place in the DBC file; empty: no error.
   [[nodiscard]] const std::string& error() const { return error_; }
 
@@ -35,6 +37,7 @@ class DbcFile {
   std::string name_;
   DbcStorage storage_;
   std::string error_;
+  bool misses_message_ = false;
 };
 
 }  // namespace config

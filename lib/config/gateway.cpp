@@ -27,8 +27,10 @@ Bus read_bus(const toml::table& table, const std::string& name, const std::strin
   bus.name = name;
   bus.place = reader.place();
   std::size_t backend = 0;
+  const std::size_t before = complaints.count();
   reader.require("backend", "\"socketcan\", \"slcan\" or \"file\"");
   reader.read_choice("backend", backend, {"socketcan", "slcan", "file"});
+  if (complaints.count() > before) return bus;  // which keys there are depends on it
   bus.backend = static_cast<Backend>(backend);
   switch (bus.backend) {
     case Backend::kSocketCan:
@@ -243,6 +245,7 @@ Loop read_loop(const toml::table& table, const std::string& name, SourceReader& 
   TableReader reader(table, name, complaints);
   Loop loop;
   loop.place = reader.place();
+  loop.id = 0;  // unless the file has a good one
   reader.require("id", "a number from 1 to 31");
   reader.read_integer("id", loop.id, 1, wire::kMostLoops);
   read_tag(reader, loop.tag);

@@ -168,7 +168,7 @@ void SourceReader::read_dbc_signal(TableReader& reader, Source& source) {
   DbcFile* file = dbc(reader, path);
   if (!file) return;
   if (!file->find(message + '.' + signal, source.signal)) {
-    reader.complain("signal", file->error());
+    reader.complain(file->misses_message() ? "message" : "signal", file->error());
     return;
   }
   source.description += ' ' + message + '.' + signal;

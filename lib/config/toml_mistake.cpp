@@ -49,9 +49,50 @@ bool is_text(std::string_view value) {
   });
 }
 
+// What begins as that table or key in the line, if any does: `[name]`, `[[name]]`, `name
+// =`.
+bool names(std::string_view line, std::string_view name) {
+  const auto drop = [&line](std::string_view those) {
+    line.remove_prefix(std::min(line.find_first_not_of(those), line.size()));
+  };
+  drop(" \t[");
+  if (!line.starts_with(name)) return false;
+  line.remove_prefix(name.size());
+  drop(" \t");
+  return line.starts_with(']') || line.starts_with('=');
+}
+
+// The newest line above that gives the name; for a key only down from its table's head.
+int line_above(std::string_view text, int line, std::string_view name, bool is_key) {
+  for (int above = line - 1; above > 0; --above) {
+    const std::string_view other = line_of(text, above);
+    if (names(other, name)) return above;
+    const std::size_t first = other.find_first_not_of(" \t");
+    if (is_key && first != std::string_view::npos && other[first] == '[') break;
+  }
+  return 0;
+}
+
+// What stands twice, told by the parser as `… existing KIND 'NAME'`; empty: nothing does.
+std::string told_twice(std::string_view text, int line, std::string_view said) {
+  const std::size_t begin = said.find('\'');
+  const std::size_t end = said.rfind('\'');
+  if (said.find("redefine existing") == std::string_view::npos || begin == end) return {};
+  const std::string name(said.substr(begin + 1, end - begin - 1));
+  const bool is_key = said.find("table header") == std::string_view::npos;
+  const int first = line_above(text, line, name, is_key);
+  const std::string where = first > 0 ? ", first in line " + std::to_string(first) : "";
+  if (said.find("array-of-tables") != std::string_view::npos) {
+    return "expected [[" + name + "]] for each of its tables, found [" + name + "]" +
+           where + "; write [[" + name + "]] there, too";
+  }
+  return "expected " + name + " once, found it twice" + where + "; remove one";
+}
+
 }  // namespace
 
 std::string toml_mistake(std::string_view text, int line, std::string_view said) {
+  if (std::string twice = told_twice(text, line, said); !twice.empty()) return twice;
   const std::string value(value_of(line_of(text, line)));
   if (is_decimal_comma(value)) {
     std::string point = value;

@@ -252,8 +252,9 @@ TEST_F(GatewayFile, MissingDbcMessageAndSignalAreNamed) {
   };
   expect_error(loop_with("dbc = \"none.dbc\", message = \"A\", signal = \"B\""),
                {"g.toml:7: loop[1].u.dbc", "none.dbc cannot be read"});
-  expect_error(loop_with("dbc = \"plant.dbc\", message = \"LoopPV\", signal = \"B\""),
-               {"loop[1].u.signal", "plant.dbc", "\"LoopPV\"", "\"LoopOP\", \"LoopSP\""});
+  expect_error(
+      loop_with("dbc = \"plant.dbc\", message = \"LoopPV\", signal = \"B\""),
+      {"loop[1].u.message", "plant.dbc", "\"LoopPV\"", "\"LoopOP\", \"LoopSP\""});
   expect_error(loop_with("dbc = \"plant.dbc\", message = \"LoopOP\", signal = \"B\""),
                {"plant.dbc:1", "a signal \"B\"", "found \"OP\""});
   expect_error(loop_with("frame_id = 0x800, start = 0, length = 8"),
@@ -265,6 +266,30 @@ TEST_F(GatewayFile, MissingDbcMessageAndSignalAreNamed) {
   expect_error(lab + far.substr(far.find("[[loop]]")), {"loop[1].u", "CAN FD", "slcan"});
   expect_error(loop_with("bus = \"can9\", frame_id = 2, start = 0, length = 8"),
                {"loop[1].u.bus", "\"can0\"", "\"can9\""});
+}
+
+TEST_F(GatewayFile, OneMistakeIsOneLine) {
+  const std::string twice = kStart + "[broadcast]\ndetail_base_id = 0x1B0\n" + kLoop +
+                            "[[loop]]\nid = 1\ntag = \"B\"\n" +
+                            kLoop.substr(kLoop.find("u = "));
+  const std::string none = "[[loop]]\nid = 0\n" + kLoop.substr(kLoop.find("tag = "));
+  const std::string from_dbc =
+      "[[loop]]\nid = 1\ntag = \"A\"\nu = { source = \"can\", dbc = \"plant.dbc\", "
+      "message "
+      "= \"LoopPV\", signal = \"B\" }\n" +
+      kLoop.substr(kLoop.find("y = "));
+  const std::pair<std::string, const char*> cases[] = {
+      {"[bus.can0]\nbackend = \"pcan\"\nchannel = 1\n" + kLoop, "bus.can0.backend: "},
+      {"[bus.can0]\ninterface = \"can0\"\n" + kLoop, "bus.can0.backend: "},
+      {twice, "loop[2]: expected an id of its own"},
+      {kStart + none, "loop[1].id: "},
+      {kStart + from_dbc, "loop[1].u.message: "},
+  };
+  for (const auto& [text, place] : cases) {
+    const std::string error = error_of(text);
+    EXPECT_NE(error.find(place), std::string::npos) << error;
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 0) << error;
+  }
 }
 
 TEST_F(GatewayFile, IdentifiersLoopsAndLinesBelongToOneOnly) {
