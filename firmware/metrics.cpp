@@ -20,10 +20,10 @@ void put_number(std::optional<double> number, std::string& out) {
   out.append(text.data(), error == std::errc() ? end : text.data());
 }
 
-// `choices`: what the codes mean; none: it is no code.
+// `choices`: what the codes mean; none: it is no code. `grows`: it is a counter.
 void put_head(std::string_view subject, std::string_view name, std::string_view meaning,
               std::string_view unit, std::string& out,
-              std::span<const wire::Choice> choices = {}) {
+              std::span<const wire::Choice> choices = {}, bool grows = false) {
   for (const std::string_view part :
        {std::string_view("# HELP stickband_"), subject, std::string_view("_"), name,
         std::string_view(" "), meaning}) {
@@ -43,7 +43,7 @@ void put_head(std::string_view subject, std::string_view name, std::string_view 
   out += subject;
   out += '_';
   out += name;
-  out += " gauge\n";
+  out += grows ? " counter\n" : " gauge\n";
 }
 
 // The value of a label: as the text format has it.
@@ -92,7 +92,8 @@ void write_metrics(const wire::GatewayView& view, std::string_view group,
   out += "\"} 1\n";
   for (const wire::GatewayField& field : wire::gateway_fields()) {
     if (!field.number) continue;
-    put_head("gateway", field.name, field.meaning, field.unit, out, field.choices);
+    put_head("gateway", field.name, field.meaning, field.unit, out, field.choices,
+             field.grows);
     out += "stickband_gateway_";
     out += field.name;
     out += ' ';
@@ -103,7 +104,8 @@ void write_metrics(const wire::GatewayView& view, std::string_view group,
   put_loops(view, "flag", out, [&out](const wire::LoopStatus& l) { put_flag(l, out); });
   for (const wire::LoopField& field : wire::loop_fields()) {
     if (!field.number) continue;
-    put_head("loop", field.name, field.meaning, field.unit, out, field.choices);
+    put_head("loop", field.name, field.meaning, field.unit, out, field.choices,
+             field.grows);
     put_loops(view, field.name, out, [&](const wire::LoopStatus& loop) {
       put_number(wire::shown(field, loop), out);
     });

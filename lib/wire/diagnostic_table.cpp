@@ -54,6 +54,15 @@ constexpr Field<Subject> quantity(std::uint16_t object, std::string_view name,
   return {object, name, type, unit, scale, meaning, number, nullptr, 0, {}, 0};
 }
 template <class Subject>
+constexpr Field<Subject> count(std::uint16_t object, std::string_view name,
+                               double (*number)(const Subject&),
+                               std::string_view meaning) {
+  Field<Subject> field =
+      quantity<Subject>(object, name, FieldType::kU32, {}, 1, number, meaning);
+  field.grows = true;
+  return field;
+}
+template <class Subject>
 constexpr Field<Subject> choice(std::uint16_t object, std::string_view name,
                                 std::span<const Choice> choices,
                                 double (*number)(const Subject&),
@@ -211,28 +220,26 @@ constexpr std::array kLoopFields = {
         7, "mapping", 0, [](const Loop& l) { return l.mapping.view(); },
         "where u, y and sp come from"),
 
-    quantity<Loop>(
-        8, "frames", kU32, "", 1, [](const Loop& l) { return l.counters.frames * 1.0; },
+    count<Loop>(
+        8, "frames", [](const Loop& l) { return l.counters.frames * 1.0; },
         "frames that carried a signal of the loop"),
-    quantity<Loop>(
-        8, "gaps", kU32, "", 1, [](const Loop& l) { return l.counters.gaps * 1.0; },
+    count<Loop>(
+        8, "gaps", [](const Loop& l) { return l.counters.gaps * 1.0; },
         "sample periods without a new value"),
-    quantity<Loop>(
-        8, "stale", kU32, "", 1, [](const Loop& l) { return l.counters.stale * 1.0; },
+    count<Loop>(
+        8, "stale", [](const Loop& l) { return l.counters.stale * 1.0; },
         "times an input went missing"),
-    quantity<Loop>(
-        8, "dropped", kU32, "", 1, [](const Loop& l) { return l.counters.dropped * 1.0; },
+    count<Loop>(
+        8, "dropped", [](const Loop& l) { return l.counters.dropped * 1.0; },
         "frames lost before the gateway saw them"),
-    quantity<Loop>(
-        8, "ne43_faults", kU32, "", 1,
-        [](const Loop& l) { return l.counters.ne43_faults * 1.0; },
+    count<Loop>(
+        8, "ne43_faults", [](const Loop& l) { return l.counters.ne43_faults * 1.0; },
         "currents outside the NE43 limits"),
-    quantity<Loop>(
-        8, "refused_fits", kU32, "", 1,
-        [](const Loop& l) { return l.counters.refused_fits * 1.0; },
+    count<Loop>(
+        8, "refused_fits", [](const Loop& l) { return l.counters.refused_fits * 1.0; },
         "windows that could not be decided"),
-    quantity<Loop>(
-        8, "refused_values", kU32, "", 1,
+    count<Loop>(
+        8, "refused_values",
         [](const Loop& l) { return l.counters.refused_values * 1.0; },
         "values out of range, or not a number"),
 
@@ -331,39 +338,35 @@ constexpr std::array kGatewayFields = {
         0xFD00, "config_crc32", kU32, "", 1,
         [](const View& v) { return static_cast<double>(v.gateway.config_crc32); },
         "CRC-32 of the configuration file"),
-    quantity<View>(
-        0xFD02, "textfile_failures", kU32, "", 1,
+    count<View>(
+        0xFD02, "textfile_failures",
         [](const View& v) { return static_cast<double>(v.gateway.textfile_failures); },
         "times the textfile could not be written"),
-    quantity<View>(
-        0xFD02, "state_failures", kU32, "", 1,
+    count<View>(
+        0xFD02, "state_failures",
         [](const View& v) { return static_cast<double>(v.gateway.state_failures); },
         "times the state file could not be written"),
-    quantity<View>(
-        0xFD02, "history_failures", kU32, "", 1,
+    count<View>(
+        0xFD02, "history_failures",
         [](const View& v) { return static_cast<double>(v.gateway.history_failures); },
         "times the history could not be written, and rows lost"),
-    quantity<View>(
-        0xFD03, "unlocks", kU32, "", 1,
-        [](const View& v) { return v.gateway.access.unlocks * 1.0; },
+    count<View>(
+        0xFD03, "unlocks", [](const View& v) { return v.gateway.access.unlocks * 1.0; },
         "times a tester unlocked"),
-    quantity<View>(
-        0xFD03, "refused_keys", kU32, "", 1,
+    count<View>(
+        0xFD03, "refused_keys",
         [](const View& v) { return v.gateway.access.refused_keys * 1.0; }, "wrong keys"),
-    quantity<View>(
-        0xFD03, "writes", kU32, "", 1,
-        [](const View& v) { return v.gateway.access.writes * 1.0; },
+    count<View>(
+        0xFD03, "writes", [](const View& v) { return v.gateway.access.writes * 1.0; },
         "times parameters were written"),
-    quantity<View>(
-        0xFD03, "clears", kU32, "", 1,
-        [](const View& v) { return v.gateway.access.clears * 1.0; },
+    count<View>(
+        0xFD03, "clears", [](const View& v) { return v.gateway.access.clears * 1.0; },
         "times DTCs were cleared"),
-    quantity<View>(
-        0xFD03, "resets", kU32, "", 1,
-        [](const View& v) { return v.gateway.access.resets * 1.0; },
+    count<View>(
+        0xFD03, "resets", [](const View& v) { return v.gateway.access.resets * 1.0; },
         "times loops were reset"),
-    quantity<View>(
-        0xFD03, "simulations", kU32, "", 1,
+    count<View>(
+        0xFD03, "simulations",
         [](const View& v) { return v.gateway.access.simulations * 1.0; },
         "times a simulated verdict was begun or ended"),
 };

@@ -237,8 +237,8 @@ struct Field {
   std::string_view (*text)(const Subject&) = nullptr;
   std::uint8_t text_bytes = 0;  ///< padded with zeros to this length; 0: as long as it is
   std::span<const Choice> choices;  ///< names of codes; empty for quantities
-  std::uint8_t frame =
-      0;  ///< cyclic frame that carries it, 1 … kBroadcastFrames; 0: none
+  std::uint8_t frame = 0;  ///< cyclic, that carries it: 1 … kBroadcastFrames; 0: none
+  bool grows = false;      ///< a count since the start: it only grows
 };
 using LoopField = Field<LoopStatus>;
 using GatewayField = Field<GatewayView>;

@@ -25,7 +25,10 @@ TEST(Metrics, ShowEveryNumberOfTheTableAsTheWireDoes) {
         "# HELP stickband_loop_verdict ", ": 0 not_evaluated, 1 ",
         "# HELP stickband_loop_ne107 ",
         "stickband_gateway_info{group=\"plant\",name=\"gw\"} 1\n",
-        "# TYPE stickband_loop_verdict gauge\n",
+        "# TYPE stickband_loop_verdict gauge\n", "# TYPE stickband_loop_frames counter\n",
+        "# TYPE stickband_gateway_textfile_failures counter\n",
+        "# TYPE stickband_gateway_refused_keys counter\n",
+        "# TYPE stickband_gateway_uptime_s gauge\n",
         "stickband_loop_flag{loop=\"1\",tag=\"A\"} 1\n",
         "stickband_loop_stick_band_ascending_pct{loop=\"1\",tag=\"A\"} 5\n",
         "stickband_loop_stick_band_ascending_pct{loop=\"7\",tag=\"B\\\\\\\"\"} NaN\n"}) {
