@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Gate on the source tree: include directions, forbidden words, file lengths, unit tests,
-numbered equations, names of types.
+"""Gate on the source tree: include directions, forbidden words, file lengths, columns, unit
+tests, numbered equations, names of types.
 
-    check_sources.py ROOT [includes|words|lengths|tests|equations|types]...
+    check_sources.py ROOT [includes|words|lengths|columns|tests|equations|types]...
 
 Prints one line for each offence, `file:line: what was found, what is allowed`, and exits 1
 when there is any but warnings (long files); without a list every check runs. Reads C++ sources as text: comments and
@@ -88,6 +88,7 @@ STILL_LONG = {"lib/ident/in_place_identifier.cpp"}
 # Where the name of a type is not used twice.
 ONE_TYPE = ("lib", "hal", "firmware", "workbench")
 MOST_LINES = 500
+MOST_COLUMNS = 90  # ColumnLimit of .clang-format
 MOST_MAIN_LINES = 99
 
 
@@ -243,6 +244,18 @@ def check_lengths(root):
             yield f"{WARNING}{name}: {lines} lines; a source file has at most {MOST_LINES}"
 
 
+def check_columns(root):
+    """Code that `./dev fmt` would break; comments and literals are as long as they are."""
+    for path in files(root, SOURCES):
+        text = re.sub(r'R"(\w*)\(.*?\)\1"', lambda m: "\n" * m.group().count("\n") + '""',
+                      path.read_text(errors="replace"), flags=re.S)
+        bare = without_comments(text).splitlines()
+        for number, (line, code) in enumerate(zip(text.splitlines(), bare), 1):
+            if len(code.rstrip()) > MOST_COLUMNS and '"' not in line:
+                yield (f"{path.relative_to(root)}:{number}: {len(code.rstrip())} columns; a line "
+                       f"has at most {MOST_COLUMNS}: run ./dev fmt")
+
+
 def check_tests(root):
     """Unit tests stand as their headers do: unit/wire/test_isotp.cpp for lib/wire/isotp.hpp.
     What would be too long for one file has more words behind the name of the header."""
@@ -324,6 +337,7 @@ def check_types(root):
 
 
 CHECKS = {"includes": check_includes, "words": check_words, "lengths": check_lengths,
+          "columns": check_columns,
           "tests": check_tests, "equations": check_equations, "types": check_types}
 
 

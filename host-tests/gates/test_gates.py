@@ -136,6 +136,15 @@ class Sources(unittest.TestCase):
                 self.expect(lengths, "lib/ident/a.cpp", text, count if lines == 60 else 0)
 
 
+    def test_columns(self):
+        columns = check_sources.check_columns
+        code = "int a" + "b" * 85 + ";"
+        self.expect(columns, "workbench/a.cpp", "\n" + code, 1)
+        self.expect(columns, "workbench/a.cpp", code.replace("bb", "b", 1), 0)
+        self.expect(columns, "workbench/a.cpp", "/// " + code, 0)
+        self.expect(columns, "workbench/a.cpp", f'f("{code}");', 0)
+        self.expect(columns, "workbench/a.cpp", f'f(R"(x\n{code}\n)");\n{code}', 1)
+
     def test_tests(self):
         for name, count in [
             ("host-tests/unit/ident/base/test_nnls.cpp", 0),
