@@ -84,7 +84,7 @@ class LoopInput {
   [[nodiscard]] std::optional<SlowSignal> slow_signal() const;
   /// The first of the roles, as soon as it is known.
   [[nodiscard]] std::optional<TwoSenders> two_senders() const;
-  [[nodiscard]] const wire::LoopCounters& counters() const { return counters_; }
+  [[nodiscard]] const wire::InputCounters& counters() const { return counters_; }
 
  private:
   struct Signal {
@@ -120,7 +120,7 @@ class LoopInput {
   std::int64_t stale_after_us_;
   Resampler resampler_;
   std::array<Signal, kRoles> signals_;
-  wire::LoopCounters counters_;
+  wire::InputCounters counters_;
   wire::LoopMode mode_ = wire::LoopMode::kUnknown;
   std::int64_t uncertain_until_us_ = 0;
   bool started_ = false;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "wire/big_endian.hpp"
 #include "wire/crc32.hpp"
@@ -129,13 +130,31 @@ void MonitoredLoop::begin_anew() {
   bands_ = {};
   band_changed_ = false;
   counted_ = false;
-  status_.window_verdict = LoopVerdict::kNotEvaluated;
-  for (const wire::KeptNumber number : wire::kept_numbers()) {
-    number(status_) = wire::kNotAvailable;
-  }
-  status_.age_s = wire::kNotAvailable;
-  status_.suspect_effect = 0;
-  status_.path_knots = 0;
+  forget_windows();
+}
+
+// What is not named here was said by a window, and is as new.
+void MonitoredLoop::forget_windows() {
+  const wire::LoopStatus old = std::exchange(status_, {});
+  status_.id = old.id;
+  status_.tag = old.tag;
+  status_.mapping = old.mapping;
+  status_.verdict = old.verdict;
+  status_.confirmed = old.confirmed;
+  status_.flag = old.flag;
+  status_.simulated = old.simulated;
+  status_.input = old.input;
+  status_.trend_pct_per_day = old.trend_pct_per_day;
+  status_.trend_low_pct_per_day = old.trend_low_pct_per_day;
+  status_.trend_high_pct_per_day = old.trend_high_pct_per_day;
+  status_.days_to_limit = old.days_to_limit;
+  status_.u_pct = old.u_pct;
+  status_.y_pct = old.y_pct;
+  status_.sp_pct = old.sp_pct;
+  status_.mode = old.mode;
+  status_.parameters = old.parameters;
+  status_.changed_ms = old.changed_ms;
+  status_.counters = old.counters;
 }
 
 void MonitoredLoop::set_parameters(const wire::LoopParameters& parameters) {

@@ -138,6 +138,7 @@ class MonitoredLoop {
  private:
   [[nodiscard]] ident::MonitorSettings<float> settings() const;
   void begin_anew();
+  void forget_windows();
   void show_finished();
   void write_row();
   void show_trend(std::int64_t epoch_s);

@@ -230,9 +230,7 @@ void MonitoredLoop::show_live(const ident::MonitorReport<float>& report, const N
     ended_ms_ = evidence_ms_ = (now.epoch_us - now.us + report.window_end_us) / 1000;
   }
   status_.age_s = age_of(report, now);
-  const std::uint32_t refused = status_.counters.refused_fits;
-  status_.counters = input_.counters();
-  status_.counters.refused_fits = refused;
+  static_cast<wire::InputCounters&>(status_.counters) = input_.counters();
 }
 
 double MonitoredLoop::age_of(const ident::MonitorReport<float>& report,

@@ -107,14 +107,18 @@ struct LoopParameters {
 };
 [[nodiscard]] bool is_valid(const LoopParameters& parameters);
 
-struct LoopCounters {
+/// What is counted of the inputs of a loop.
+struct InputCounters {
   std::uint32_t frames = 0;          ///< with a signal of this loop
   std::uint32_t gaps = 0;            ///< sample periods without a new value
   std::uint32_t stale = 0;           ///< times the input went missing
   std::uint32_t dropped = 0;         ///< frames lost before we saw them
   std::uint32_t ne43_faults = 0;     ///< current outside the NE43 limits
-  std::uint32_t refused_fits = 0;    ///< windows that could not be decided
   std::uint32_t refused_values = 0;  ///< out of range, or not a number
+};
+/// The same, and what is counted of its windows.
+struct LoopCounters : InputCounters {
+  std::uint32_t refused_fits = 0;  ///< windows that could not be decided
 };
 
 /// A knot of the identified valve paths, % of span.

@@ -44,7 +44,7 @@ namespace support {
   loop.share_of_error_pct = 61.5;
   loop.residual_share_pct = 1.75;
   loop.changed_ms = 1'436'509'052'249;
-  loop.counters = {100'000, 3, 1, 7, 2, 5, 4};
+  loop.counters = {{100'000, 3, 1, 7, 2, 4}, 5};
   loop.path = {wire::PathKnot{40, 38.5, 42.5}, wire::PathKnot{60, 57.75, -0.01}};
   loop.path_knots = 2;
   return loop;
