@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The C interface on the emulated board.
 
-    run_kit.py example BIN       the example finds the stick band of its loop
+    run_kit.py example BIN       the example finds the stick band of its loop, and its flash is
+                                 what docs/firmware-kit.md says of it
     run_kit.py interrupted BIN   pushes from an interrupt neither lose nor tear a sample
 """
 import pathlib
@@ -10,9 +11,13 @@ import subprocess
 import sys
 
 import board
+import budgets
 
 TRUE_BAND = 4.0  # examples/cortex-m4f/plant.h
 MOST_PUSH_INSTRUCTIONS = 100  # as stickband.h says
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/firmware-kit.md"
+FLASH = re.compile(r"the example as linked, flash, bytes[^|]*\| ([\d,]+) \|")
+SMALL_CHANGE = 1024  # bytes of flash, not worth a new figure
 
 
 def start(image):
@@ -20,6 +25,15 @@ def start(image):
     command = [*board.EMULATOR, *board.COUNTING, "-semihosting-config",
                "enable=on,target=native,chardev=sh", "-kernel", str(image)]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
+
+
+def flash_is_told(image):
+    told = int(FLASH.search(PAGE.read_text(encoding="utf-8"))[1].replace(",", ""))
+    found = budgets.size_of_image(image)
+    if abs(found - told) > SMALL_CHANGE:
+        print(f"{PAGE.name}: expected the flash of the example, {found:,} bytes, found {told:,}; "
+              "write it there")
+    return abs(found - told) <= SMALL_CHANGE
 
 
 def example(folder):
@@ -31,7 +45,8 @@ def example(folder):
                               r"descending \S+ \((\S+) to (\S+)\)", line)
             if found:
                 low, high, low_down, high_down = map(float, found.groups())
-                return low <= TRUE_BAND <= high and low_down <= TRUE_BAND <= high_down
+                held = low <= TRUE_BAND <= high and low_down <= TRUE_BAND <= high_down
+                return flash_is_told(folder / "example_cortex_m4f") and held
         return False
     finally:
         emulator.kill()
