@@ -14,7 +14,7 @@
 namespace workbench {
 namespace {
 
-TEST(Catalogue, HasTheTwentyTwoEffectsOfTheContract) {
+TEST(Catalogue, HasTheEffectsOfTheContract) {
   std::set<std::string> codes;
   for (const Effect* effect : standard_catalogue().effects()) {
     codes.emplace(effect->code());
@@ -90,7 +90,12 @@ class Surge final : public Effect {
   [[nodiscard]] std::vector<SearchedParameter> searched(
       const Situation& s) const override {
     const double end = s.duration_s();
-    return {{.name = "start", .unit = "s", .low = 0, .high = end, .jumpy = true},
+    return {{.name = "start",
+             .unit = "s",
+             .low = 0,
+             .high = end,
+             .jumpy = true,
+             .instant = true},
             {.name = "length", .unit = "s", .low = 0, .high = end, .jumpy = true}};
   }
   [[nodiscard]] std::span<const SolvedParameter> solved() const override {
