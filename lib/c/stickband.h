@@ -29,8 +29,8 @@
  * Who may call what. `stickband_push` may interrupt any other call, and runs beside it on
  * another core: it puts the sample into a queue of STICKBAND_QUEUE, which the next
  * `stickband_step` empties. It neither waits nor turns interrupts off. There is one
- * pusher (interrupts of one priority, or one thread) and one of everything else
- * (`step`, `poll`, `report`, `save`: one thread). `init` and `restore` come before both.
+ * pusher (interrupts of one priority, or one thread) and one of everything else (`step`,
+ * `advance`, `poll`, `get_report`, `save`: one thread). `init` and `restore` come before both.
  *
  * How often `step`. No more than STICKBAND_QUEUE samples may come between two calls;
  * what finds the queue full is lost (`queue_refused`). And an evaluation has to be
@@ -48,7 +48,7 @@
  * What is decided when, what a verdict rests on and what each call costs is in
  * ident/monitor.hpp; docs/firmware-kit.md has what it costs on a Cortex-M4F.
  *
- * Link with CMake: find_package(Stickband), target Stickband::c; on a device with 21 KiB
+ * Link with CMake: find_package(Stickband), target Stickband::c. On a bare board with 21 KiB
  * for a loop Stickband::c_small, which defines STICKBAND_SMALL and has the window of 512
  * alone; with 17 KiB Stickband::c_least, which defines STICKBAND_LEAST, too, and has the
  * window of 384 alone. Never mix two of them in one program.

@@ -75,6 +75,10 @@
 // Failures, all counted in `report()`, none fatal: samples refused by the window
 // (repeat, not finite, time going back), gaps, faults of the input, windows skipped,
 // events lost.
+//
+// What is named here stands in signal/sample_window.hpp (Sample, PushResult),
+// verdict/verdict.hpp (Verdict, Estimate, PerStroke), verdict/identification.hpp (Reason and
+// its sentence(), Identification), signal/input_health.hpp (InputFault).
 #pragma once
 
 #include <array>
