@@ -136,7 +136,7 @@ class DeadTime final : public ShownByMoves {
     }
     return out;
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
+  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
                                      std::span<const double>) const override {
     if (by_flow(p)) {
       return filled(
@@ -145,9 +145,15 @@ class DeadTime final : public ShownByMoves {
           {number(p[kTime] / flow_at(p, p[kFrom]), 3), number(p[kFrom], 3),
            number(p[kTime] / flow_at(p, p[kTo]), 3), number(p[kTo], 3)});
     }
-    return filled(
-        "Every move of u reaches the output {0} s late, fast and slow ones alike.",
-        {number(p[kTime], 3)});
+    std::string said =
+        filled("Every move of u reaches the output {0} s late, fast and slow ones alike.",
+               {number(p[kTime], 3)});
+    if (p[kTime] < s.period_s) {
+      said +=
+          " It is shorter than a row: a log that reads u somewhat before it acts does as "
+          "much.";
+    }
+    return said;
   }
   // Through a pipe whose flow changes, before the lags.
   void move(std::span<const double> p, ValveSignal& signal) const override {

@@ -218,6 +218,17 @@ TEST(DeadTime, FollowsTheFlowThroughAPipe) {
   EXPECT_NEAR(term.parameters[0].value, 700 / halfway, 1.5);
 }
 
+TEST(DeadTime, SaysWhereARowIsLonger) {
+  const std::vector<double> u = {40, 60, 40};
+  const Situation here = situation_of(u, u, 2);
+  const auto said = [&here](double dead_time_s) {
+    const std::vector<double> p = {dead_time_s, 0, 1, 40, 60};
+    return effects::process_dead_time().evidence(here, p, {});
+  };
+  EXPECT_NE(said(1.9).find("shorter than a row"), std::string::npos) << said(1.9);
+  EXPECT_EQ(said(2.1).find("shorter"), std::string::npos) << said(2.1);
+}
+
 TEST(DeadTime, IsTheSameEverywhereWhereItIs) {
   test::SetpointLoop loop;
   loop.delay = 6;

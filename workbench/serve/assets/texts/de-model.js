@@ -94,6 +94,7 @@ export default {
   'Moves of u reach the output {0} s late around u = {1} and {2} s late around u = {3}, as through a pipe whose flow follows u.': 'Bewegungen von u erreichen den Ausgang um u = {1} nach {0} s und um u = {3} nach {2} s, wie durch ein Rohr, dessen Durchfluss u folgt.',
   'u moves as steadily: a valve or process that answers less of it there looks the same': 'u bewegt sich ebenso stetig: Ein Ventil oder Prozess, der dort weniger antwortet, sieht genauso aus',
   'the level is the setpoint, where a controller holds the output': 'die Grenze ist der Sollwert, bei dem ein Regler den Ausgang hält',
+  'It is shorter than a row: a log that reads u somewhat before it acts does as much.': 'Sie ist kürzer als eine Zeile: Eine Aufzeichnung, die u etwas früher liest, als es wirkt, sieht genauso aus.',
   'it begins behind the one move of u: a late answer to it looks the same': 'sie beginnt hinter der einen Bewegung von u: Eine späte Antwort darauf sieht genauso aus',
   'u jumps where it comes and where it goes: the process may answer otherwise there': 'u springt dort, wo sie kommt und wo sie geht: Vielleicht antwortet der Prozess dort anders',
   'it keeps step with the cycle of u, whose edges a sinusoidal load would not make': 'es hält Schritt mit dem Zyklus von u, dessen Kanten eine sinusförmige Last nicht machte',
