@@ -50,6 +50,10 @@ class Sinusoid final : public Effect {
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
+    // Beside a stem that sticks, too: what it leaves of a swing of u are overtones.
+    if (!doubt_in_overtone(s, p[0]).empty()) {
+      return {0, "periods of a load that is no overtone of u", 5, false};
+    }
     return {static_cast<int>(s.duration_s() / p[0]), "periods of the load"};
   }
   [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
@@ -61,8 +65,6 @@ class Sinusoid final : public Effect {
   }
   [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
                                       std::span<const double>) const override {
-    std::string doubt = doubt_in_overtone(s, p[0]);
-    if (!doubt.empty()) return doubt;
     return locked_to_cycle(s, p[0]) ? "it keeps step with the cycle of u, whose edges a "
                                       "sinusoidal load would not make"
                                     : "";

@@ -69,6 +69,11 @@ class Overflow final : public Effect {
   }
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
+    // A switch that goes off at a level is a thermostat.
+    if (takes_two_values(s) && !is_asked_for_more(s, p[0])) {
+      return {0, "stays of the output at the level while u asks for more", kLeastMoves,
+              false};
+    }
     // The simulated output: peaks of the noise are no overflow.
     std::vector<double> output(s.y.begin(), s.y.end());
     for (std::size_t k = 0; k < s.residual.size(); ++k) output[k] -= s.residual[k];
@@ -133,6 +138,20 @@ class Overflow final : public Effect {
   }
 
  private:
+  // Whether u stays up for some rows while the output is at the level, more than once.
+  static bool is_asked_for_more(const Situation& s, double level) {
+    constexpr std::size_t kRows = 4;
+    const double near_u = s.u_span() / 50;
+    const double near_y = s.y_span() / 100;
+    int stays = 0;
+    std::size_t rows = 0;
+    for (std::size_t k = 0; k < s.samples(); ++k) {
+      const bool asked = s.u[k] > s.u_high - near_u && s.y[k] > level - near_y;
+      rows = asked ? rows + 1 : 0;
+      stays += rows == kRows ? 1 : 0;
+    }
+    return stays >= kLeastMoves;
+  }
   // Mostly, while the output is there.
   static bool is_setpoint(const Situation& s, double level) {
     if (s.sp.size() != s.samples()) return false;

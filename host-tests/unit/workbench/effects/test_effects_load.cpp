@@ -1,6 +1,7 @@
 // What a load that nobody measured has to be like.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -107,6 +108,23 @@ TEST(Overflow, IsNoneAtTheSetpoint) {
   EXPECT_EQ(objection(), "");
 }
 
+// A thermostat goes off at its level; a full tank stays full while the pump runs.
+TEST(Overflow, IsNoneWhereASwitchGoesOff) {
+  std::vector<double> u(400);
+  std::vector<double> y(400);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const double t = static_cast<double>(k % 100);
+    u[k] = k % 100 < 50 ? 1 : 0;
+    y[k] = t < 50 ? t : 99 - t;
+  }
+  const std::vector<double> p = {48, 1, 1, 1};
+  const Effect& overflow = effects::process_overflow();
+  EXPECT_FALSE(overflow.excitation(situation_of(u, y, 1), p).acted);
+  for (double& level : y) level = std::min(level, 40.0);
+  EXPECT_TRUE(
+      overflow.excitation(situation_of(u, y, 1), std::vector<double>{40, 1, 1, 1}).acted);
+}
+
 // Friction bends a slow swing of u; its overtones are no load.
 TEST(LoadSinusoid, IsDoubtedAtAnOvertoneOfU) {
   std::vector<double> u(600);
@@ -114,12 +132,12 @@ TEST(LoadSinusoid, IsDoubtedAtAnOvertoneOfU) {
     u[k] = std::sin(2 * std::numbers::pi * static_cast<double>(k) / 99);
   }
   const Situation s = situation_of(u, u, 1);
-  const auto objection = [&s](double period_s) {
-    return effects::disturbance_sinusoid().objection(s, std::vector<double>{period_s},
-                                                     std::vector<double>{1, 0});
+  const auto seen = [&s](double period_s) {
+    return effects::disturbance_sinusoid().excitation(s, std::vector<double>{period_s});
   };
-  EXPECT_TRUE(objection(33).starts_with("u swings with a multiple of this period"));
-  EXPECT_EQ(objection(71), "");
+  EXPECT_FALSE(seen(33).acted);
+  EXPECT_TRUE(seen(71).acted);
+  EXPECT_EQ(seen(71).events, 8);
 }
 
 }  // namespace

@@ -211,6 +211,8 @@ export default {
   'repeat the same step of u at several operating points, and log the stem position': 'denselben Sprung von u an mehreren Arbeitspunkten wiederholen und die Spindelstellung aufzeichnen',
   'repeat the same step of u early and late': 'denselben Sprung von u früh und spät wiederholen',
   'reversals of u wider than the gap': 'Umkehrungen von u, die größer als das Spiel sind',
+  'periods of a load that is no overtone of u': 'Perioden einer Last, die kein Oberton von u ist',
+  'stays of the output at the level while u asks for more': 'Aufenthalte des Ausgangs an der Grenze, während u mehr verlangt',
   'levels of u between its lowest and its highest': 'Stufen von u zwischen seiner untersten und seiner obersten',
   'reversals of u wider than the stick band': 'Umkehrungen von u, die größer als das Haftband sind',
   'separate stays of u beyond a limit': 'getrennte Aufenthalte von u jenseits einer Grenze',
