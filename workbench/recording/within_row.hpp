@@ -12,7 +12,12 @@ namespace workbench {
 /// not, not always the same way, or one is missing. O(samples).
 [[nodiscard]] int sign_of_jumps(std::span<const double> u, std::span<const double> y);
 
-/// Adds a note where y answers within the row of u: models then take u one row earlier.
+/// (W39) True where y answers in the row of u: it jumps there, or, of a u that is moved
+/// out of rest, moves there as it goes on to. O(samples).
+[[nodiscard]] bool answers_within_row(std::span<const double> u,
+                                      std::span<const double> y);
+
+/// Adds a note where it does: models then take u one row earlier.
 void note_within_row(Recording& recording);
 
 }  // namespace workbench

@@ -126,7 +126,7 @@ Fitter::Fitter(const Recording& recording, Column output, const Work& work)
   pieces_ = std::move(parts.pieces);
   u_ = recording.u;
   // A stem is read in the row of its signal, and so is what is quicker than the rows.
-  const bool within_row = output == Column::x || sign_of_jumps(recording.u, y) != 0;
+  const bool within_row = output == Column::x || answers_within_row(recording.u, y);
   for (const Piece& piece : pieces_) {
     if (!within_row) break;
     const auto next =

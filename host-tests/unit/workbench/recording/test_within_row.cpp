@@ -51,6 +51,38 @@ TEST(WithinRow, ASwingIsNoSwitch) {
   EXPECT_EQ(sign_of_jumps(r.u, r.y), 0);
 }
 
+// Moves by hand, answered behind lags of 9 rows and `second`, and read `late` rows later.
+Recording by_hand(double second, double late, double noise = 0.05) {
+  Recording out;
+  const double levels[] = {30, 50, 40, 60, 35};
+  const double fine = 20;
+  double z1 = 30;
+  double z2 = 30;
+  for (std::size_t k = 0; k < 300; ++k) {
+    for (double part = 0; part < fine; ++part) {
+      const double t = static_cast<double>(k) + (part + 1) / fine - 1 - late;
+      const double u = levels[static_cast<std::size_t>(std::max(t + 1, 0.0)) / 60 % 5];
+      z1 += (u - z1) / (9 * fine);
+      z2 = second > 0 ? z2 + (z1 - z2) / (second * fine) : z1;
+    }
+    const double t = static_cast<double>(k);
+    out.t.push_back(t);
+    out.u.push_back(levels[k / 60 % 5]);
+    out.y.push_back(z2 + noise * std::sin(t * t * 1.3));
+  }
+  return out;
+}
+
+TEST(WithinRow, IsSeenInMovesOutOfRest) {
+  const auto seen = [](const Recording& r) { return answers_within_row(r.u, r.y); };
+  for (const double second : {0.0, 6.0}) {
+    EXPECT_TRUE(seen(by_hand(second, 0, 0.02))) << second;
+    EXPECT_FALSE(seen(by_hand(second, 1, 0.02))) << second;
+    EXPECT_FALSE(seen(by_hand(second, 3, 0.02))) << second;
+  }
+  EXPECT_FALSE(seen(by_hand(0, 0, 5))) << "noise hides it";
+}
+
 TEST(WithinRow, IsNoted) {
   Recording r = fan(1);
   note_within_row(r);
