@@ -143,9 +143,17 @@ bool takes_two_values(const Situation& situation) {
   constexpr double kNear = 0.02;     // of the span of u
   constexpr double kPassing = 0.02;  // of the samples
   const double reach = kNear * situation.u_span();
-  const auto between = std::ranges::count_if(situation.u, [&](double u) {
+  const auto is_between = [&](std::size_t k) {
+    const double u = situation.u[k];
     return u > situation.u_low + reach && u < situation.u_high - reach;
-  });
+  };
+  // A row that is the mean over a move lies alone.
+  std::size_t between = 0;
+  for (std::size_t k = 0; k < situation.samples(); ++k) {
+    const bool before = k > 0 && is_between(k - 1);
+    const bool after = k + 1 < situation.samples() && is_between(k + 1);
+    between += is_between(k) && (before || after) ? 1 : 0;
+  }
   return static_cast<double>(between) <=
          kPassing * static_cast<double>(situation.samples());
 }

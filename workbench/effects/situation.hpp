@@ -70,8 +70,8 @@ struct Situation {
 [[nodiscard]] bool turns(const Situation& situation);
 
 /// True where u rests at its lowest and at its highest but for passing moments, as a
-/// switch does: what changes its scale between the two, by play, friction or a curve,
-/// does not show. O(n).
+/// switch does, or one whose rows are means: what changes its scale between the two, by
+/// play, friction or a curve, does not show. O(n).
 [[nodiscard]] bool takes_two_values(const Situation& situation);
 
 /// Times a signal went `size` (> 0) away, either way, from where it was last counted.

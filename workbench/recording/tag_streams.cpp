@@ -356,7 +356,8 @@ class StreamReader {
   }
 
   void drop_repeats(Stream& stream, ResampleReport& report) {
-    RowTable one{std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}};
+    RowTable one{
+        std::move(stream.t), std::move(stream.line), {std::move(stream.signal)}, {}};
     take_out_bad(one,
                  {source_.file, source_.layout.header_line, source_.options.required});
     take_out_codes(one.signals[0], report);

@@ -280,7 +280,7 @@ TEST(UdsServer, SimulationShowsCheckFunctionUntilTheSessionEnds) {
   EXPECT_FALSE(t.daemon.status(31).simulated);
   EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x02, 0, 5}),
             refusal(0x31, Nrc::kRequestOutOfRange));
-  for (const std::uint8_t loop : {1, 31}) {
+  for (const std::uint8_t loop : Bytes{1, 31}) {
     EXPECT_EQ(t.ask({0x31, 0x01, 0xF0, 0x02, loop, 5}), (Bytes{0x71, 0x01, 0xF0, 0x02}));
     EXPECT_TRUE(t.daemon.status(loop).simulated);
   }
@@ -306,7 +306,7 @@ TEST(UdsServer, CountsAndListsDtcs) {
   const int confirmed = kDtcConfirmed;
   EXPECT_EQ(t.ask({0x19, 0x01, 0x08}), (Bytes{0x59, 0x01, 0x7D, 0x01, 0, 1}));
   EXPECT_EQ(t.ask({0x19, 0x02, 0x08}), (Bytes{0x59, 0x02, 0x7D, 0x51, 0x01, 0x71, 0x2D}));
-  for (const std::uint8_t bit : {0x01, 0x04, 0x20}) {
+  for (const std::uint8_t bit : Bytes{0x01, 0x04, 0x20}) {
     EXPECT_EQ(t.ask({0x19, 0x02, bit}),
               (Bytes{0x59, 0x02, 0x7D, 0x51, 0x01, 0x71, 0x2D}));
   }

@@ -60,7 +60,7 @@ TEST(ReversalsBeyond, OfASwitchShowNoStem) {
   };
   EXPECT_FALSE(seen().acted);
   EXPECT_EQ(seen().events, 0);
-  for (std::size_t k = 0; k < u.size(); k += 4) u[k] = 50;
+  for (std::size_t k = 0; k + 1 < u.size(); k += 4) u[k] = u[k + 1] = 50;
   EXPECT_TRUE(seen().acted);
   EXPECT_GT(seen().events, 50);
 }

@@ -38,6 +38,8 @@ TEST(Situation, KnowsASwitchFromLevels) {
   for (std::size_t k = 0; k < u.size(); ++k) u[k] = k / 20 % 2 == 0 ? 0 : 100;
   u[20] = 40;  // read on the way
   EXPECT_TRUE(takes_two_values(situation_of(u, u, 1)));
+  for (std::size_t k = 20; k < u.size(); k += 20) u[k] = 30 + static_cast<double>(k) / 5;
+  EXPECT_TRUE(takes_two_values(situation_of(u, u, 1))) << "means over the moves";
   for (std::size_t k = 100; k < 120; ++k) u[k] = 60;
   EXPECT_FALSE(takes_two_values(situation_of(u, u, 1)));
 }
