@@ -28,10 +28,17 @@ int sign_of_jumps(std::span<const double> u, std::span<const double> y) {
   if (u.size() < 2 * kStays || y.size() != u.size()) return 0;
   const double of_u = least_of(u);
   const double of_y = least_of(y);
+  const auto [off, full] = std::ranges::minmax(u);
+  // Off, or full on: a controller that a sticking sensor makes jump rests at neither.
+  const auto rests_at_end = [&, off = off, full = full](std::size_t first) {
+    const auto [low, high] = std::ranges::minmax(u.subspan(first, kStays));
+    return low == high && (low == off || high == full);
+  };
   int same = 0;
   int opposite = 0;
   for (std::size_t k = kStays; k + kStays <= u.size(); ++k) {
     const int both = jump(u, k, of_u) * jump(y, k, of_y);
+    if (both == 0 || !(rests_at_end(k - kStays) || rests_at_end(k))) continue;
     same += both > 0;
     opposite += both < 0;
   }

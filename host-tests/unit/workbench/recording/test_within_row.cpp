@@ -41,6 +41,16 @@ TEST(WithinRow, ASpikeIsNoSwitch) {
   EXPECT_EQ(sign_of_jumps(r.u, r.y), 0);
 }
 
+// Nor is a controller switched that answers the jumps of a sensor that sticks.
+TEST(WithinRow, ASensorThatSticksSwitchesNothing) {
+  Recording r = fan(1);
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    r.y[k] = k / 40 % 2 == 0 ? 30 : 32;
+    r.u[k] = (r.y[k] - 31) * 14 + 20 * std::sin(static_cast<double>(k) / 60);
+  }
+  EXPECT_EQ(sign_of_jumps(r.u, r.y), 0);
+}
+
 // A proportional controller answers a quick swing of y within the row.
 TEST(WithinRow, ASwingIsNoSwitch) {
   Recording r = fan(1);
