@@ -73,7 +73,8 @@ std::vector<double> great_jumps_of_u(const Situation& s) {
 
 bool has_lone_move(const Situation& s) {
   constexpr std::size_t kLone = 2;
-  return great_jumps_of_u(s).size() <= kLone;
+  const std::size_t jumps = great_jumps_of_u(s).size();
+  return jumps > 0 && jumps <= kLone;
 }
 
 bool answers_lone_move(const Situation& s, double time_s) {

@@ -40,7 +40,7 @@ inline constexpr std::string_view kLagSignature =
 /// Times of the great jumps of u, in s; empty where they are more than ten.
 [[nodiscard]] std::vector<double> great_jumps_of_u(const Situation& situation);
 
-/// At most two great jumps of u: none tells how the process answers another one.
+/// One or two great jumps of u: none tells how the process answers another one.
 [[nodiscard]] bool has_lone_move(const Situation& situation);
 
 /// (W37) At `time_s` the answer to such a lone move is under way.
