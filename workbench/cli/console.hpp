@@ -28,6 +28,9 @@ void complain(std::string_view message);
 /// `text` with blanks behind it up to `width` bytes.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 
+/// A line of a table less the blanks at its end.
+[[nodiscard]] std::string without_end_blanks(std::string line);
+
 /// The names with commas between them.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 

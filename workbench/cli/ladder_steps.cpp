@@ -10,11 +10,6 @@
 namespace workbench::cli {
 namespace {
 
-std::string without_end_blanks(std::string line) {
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
-}
-
 // A step, or an exchange with all its steps.
 struct Row {
   std::vector<std::string> came;
@@ -61,7 +56,7 @@ std::string steps_text(const std::vector<LadderStep>& steps,
   std::string text;
   double before = 0;
   Row row;
-  if (!steps.empty() && !begun_with.empty()) row.begun_with = listed(begun_with);
+  row.begun_with = listed(begun_with);
   std::set<std::string> seen;  // what came and went
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (i + 1 < steps.size() && takes_back(steps[i + 1], steps[i])) {

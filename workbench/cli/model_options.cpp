@@ -310,9 +310,9 @@ std::string parameter_table(const std::vector<Parameter>& parameters,
       text += name + choice + '\n';
       continue;
     }
-    const std::string line = name + padded(number(p.value, 4), 12) +
-                             padded(interval, 26) + (p.unit == "1" ? "" : p.unit);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    text += without_end_blanks(name + padded(number(p.value, 4), 12) +
+                               padded(interval, 26) + (p.unit == "1" ? "" : p.unit)) +
+            '\n';
   }
   return text;
 }

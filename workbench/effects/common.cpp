@@ -43,7 +43,7 @@ Excitation reversals_beyond(const Situation& situation, double band,
           kLeastMoves, turns(situation)};
 }
 
-std::string doubt_in_overtone(const Situation& s, double period_s) {
+bool is_overtone_of_u(const Situation& s, double period_s) {
   constexpr double kHardlyMore = 0.9;  // of the variance
   std::vector<double> u(s.u.begin(), s.u.end());
   const double mean = std::reduce(u.begin(), u.end()) / static_cast<double>(u.size());
@@ -51,13 +51,10 @@ std::string doubt_in_overtone(const Situation& s, double period_s) {
   for (const double multiple : {2.0, 3.0, 4.0, 5.0}) {
     for (const double nearby : {0.95, 0.975, 1.0, 1.025, 1.05}) {
       const double swing_s = multiple * nearby * period_s;
-      if (line_share(u, s.period_s, swing_s) > kHardlyMore) {
-        return "u swings with a multiple of this period, and friction or a curve makes "
-               "such overtones of a swing, too: they need steps of u to be told apart";
-      }
+      if (line_share(u, s.period_s, swing_s) > kHardlyMore) return true;
     }
   }
-  return {};
+  return false;
 }
 
 std::vector<double> great_jumps_of_u(const Situation& s) {
@@ -71,10 +68,9 @@ std::vector<double> great_jumps_of_u(const Situation& s) {
   return out.size() <= kFew ? out : std::vector<double>{};
 }
 
-bool has_lone_move(const Situation& s) {
+bool has_lone_move(std::span<const double> great_jumps) {
   constexpr std::size_t kLone = 2;
-  const std::size_t jumps = great_jumps_of_u(s).size();
-  return jumps > 0 && jumps <= kLone;
+  return !great_jumps.empty() && great_jumps.size() <= kLone;
 }
 
 bool answers_lone_move(const Situation& s, double time_s) {
@@ -82,7 +78,8 @@ bool answers_lone_move(const Situation& s, double time_s) {
   constexpr double kMost = 0.25;  // of the recording
   const double lasts =
       std::min(kLags * (s.first_lag_s + s.second_lag_s), kMost * s.duration_s());
-  return has_lone_move(s) && std::ranges::any_of(great_jumps_of_u(s), [&](double jump_s) {
+  const std::vector<double> jumps = great_jumps_of_u(s);
+  return has_lone_move(jumps) && std::ranges::any_of(jumps, [&](double jump_s) {
            return jump_s <= time_s && time_s < jump_s + lasts;
          });
 }

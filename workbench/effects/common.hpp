@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "workbench/effects/effect.hpp"
@@ -33,15 +32,14 @@ inline constexpr std::string_view kLagSignature =
 /// at least two.
 [[nodiscard]] Excitation none_between();
 
-/// (W26) What speaks against whatever swings with the period, where u is hardly more than
-/// one swing of two to five such periods; else "".
-[[nodiscard]] std::string doubt_in_overtone(const Situation& situation, double period_s);
+/// (W26) True where u is hardly more than one swing, of two to five such periods.
+[[nodiscard]] bool is_overtone_of_u(const Situation& situation, double period_s);
 
 /// Times of the great jumps of u, in s; empty where they are more than ten.
 [[nodiscard]] std::vector<double> great_jumps_of_u(const Situation& situation);
 
-/// One or two great jumps of u: none tells how the process answers another one.
-[[nodiscard]] bool has_lone_move(const Situation& situation);
+/// One or two of them: none tells how the process answers another one.
+[[nodiscard]] bool has_lone_move(std::span<const double> great_jumps);
 
 /// (W37) At `time_s` the answer to such a lone move is under way.
 [[nodiscard]] bool answers_lone_move(const Situation& situation, double time_s);

@@ -51,7 +51,7 @@ class Sinusoid final : public Effect {
   [[nodiscard]] Excitation excitation(const Situation& s,
                                       std::span<const double> p) const override {
     // Beside a stem that sticks, too: what it leaves of a swing of u are overtones.
-    if (!doubt_in_overtone(s, p[0]).empty()) {
+    if (is_overtone_of_u(s, p[0])) {
       return {0, "periods of a load that is no overtone of u", 5, false};
     }
     return {static_cast<int>(s.duration_s() / p[0]), "periods of the load"};

@@ -157,7 +157,8 @@ class Step final : public Effect {
     // What comes through the process makes no controller jump.
     const auto jumps = p[kThroughProcess] < 0.5 ? u_jumps_before : u_jumps_near;
     if (!passes(p)) {
-      return (has_lone_move(s) && jumps(s, p[kTime])) || answers_lone_move(s, p[kTime])
+      return (has_lone_move(great_jumps_of_u(s)) && jumps(s, p[kTime])) ||
+                     answers_lone_move(s, p[kTime])
                  ? "u jumps where it comes: the process may answer otherwise there"
                  : "";
     }

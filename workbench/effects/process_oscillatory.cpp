@@ -76,8 +76,10 @@ class Oscillatory final : public Effect {
       return "after a move of u its output would not swing: a dead time beside two lags "
              "answers as smoothly";
     }
-    std::string doubt = doubt_in_overtone(s, p[0]);
-    if (!doubt.empty()) return doubt;
+    if (is_overtone_of_u(s, p[0])) {
+      return "u swings with a multiple of this period, and friction or a curve makes "
+             "such overtones of a swing, too: they need steps of u to be told apart";
+    }
     if (is_left_alone(s, p[0])) return "";
     const StepResponse seen =
         step_response_of(s.u, s.y, samples_within(s.period_s, p[0] / 2));

@@ -32,8 +32,7 @@ bool has_letters(std::string_view cell) {
 
 bool is_summary(std::string_view cell) {
   if (cell.ends_with(':')) cell.remove_suffix(1);
-  const std::string lower = lower_case(trimmed(cell));
-  return std::ranges::find(kSummaries, lower) != kSummaries.end();
+  return is_one_of(lower_case(trimmed(cell)), kSummaries);
 }
 
 bool begins_with_mark(std::string_view cell) {

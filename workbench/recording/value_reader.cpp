@@ -8,7 +8,7 @@
 #include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
-#include "workbench/recording/folded.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_parts.hpp"
@@ -33,8 +33,8 @@ bool says_uncertain(std::string_view cell) {
 
 // True and False, as programs write what a switch is told.
 std::optional<double> truth_of(std::string_view cell) {
-  if (cell.size() < 4 || cell.size() > 5) return std::nullopt;
-  const std::string word = folded(cell);
+  if (cell.empty() || !is_letter_byte(cell.front())) return std::nullopt;
+  const std::string word = lower_case(cell.substr(0, 6));
   if (word == "true") return 1;
   if (word == "false") return 0;
   return std::nullopt;
