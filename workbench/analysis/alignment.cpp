@@ -39,11 +39,10 @@ int samples_late(const RecordingView& recording) {
   for (int late = -kMost; late <= kMost; ++late) {
     if (late == 0) continue;
     const auto action = law(late);
-    const bool agree = action.proportional * action.integral > 0;
-    if (agree && action.r_squared > sharpest) {
-      best = late;
-      sharpest = action.r_squared;
-    }
+    if (!(action.r_squared > sharpest)) continue;
+    // Beside a law that is no controller's a blurred one of its neighbours is none, either.
+    best = action.proportional * action.integral > 0 ? late : 0;
+    sharpest = action.r_squared;
   }
   return 1 - sharpest < kSharper * (1 - as_recorded) ? best : 0;
 }

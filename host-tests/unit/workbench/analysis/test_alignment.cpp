@@ -54,6 +54,20 @@ TEST(Alignment, StaysWhereNoControllerIsSeen) {
   EXPECT_EQ(samples_late(recorded(test::run(test::PiLoop{}, 40, 1), 1)), 0);
 }
 
+// Of a controller with much derivative action the law two rows late is the sharper one
+// whose two parts agree; but it answers what it reads one row late.
+TEST(Alignment, OfALawWithoutAnIntegralPartItsNeighbourIsNotTaken) {
+  std::mt19937 random(5);
+  std::normal_distribution<> normal;
+  test::LoopRecord loop;
+  for (std::size_t t = 0; t < 300; ++t) {
+    loop.y.push_back(10 - 0.001 * static_cast<double>(t) + 0.1 * normal(random));
+    loop.u.push_back(
+        t < 2 ? 0 : 450 * (loop.y[t - 1] - 10) - 154 * (loop.y[t - 2] - 10));
+  }
+  EXPECT_EQ(samples_late(recorded(loop, 0)), 0);
+}
+
 TEST(Alignment, PutsThemBesideOneAnother) {
   const test::LoopRecord loop = test::run(test::PiLoop{}, 100, 1);
   for (const int late : {-2, 1}) {
