@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/effects/held_levels.hpp"
+#include "workbench/effects/two_pieces.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 
@@ -18,8 +20,8 @@ constexpr Description kDescription{
     .view = View::kLevel,
     .signature = "bends with the level of u, rising and falling alike",
     .cure =
-        "Nothing is broken: choose another trim, or linearise the signal in the "
-        "controller.",
+        "Nothing is broken: choose another trim, let split ranges meet, or linearise the "
+        "signal in the controller.",
     .split =
         "hold u at several levels long enough for y to settle, and log the stem "
         "position",
@@ -46,6 +48,18 @@ class Characteristic final : public ShownByMoves {
                      .only_with = "free_shape",
                      .open_ends = true});
     }
+    out.push_back(
+        {.name = "two_pieces", .unit = "1", .high = 1, .constant = true, .off = 0.0});
+    out.push_back({.name = "parted_at",
+                   .unit = "u",
+                   .low = s.u_low,
+                   .high = s.u_high,
+                   .only_with = "two_pieces"});
+    out.push_back({.name = "dead_width",
+                   .unit = "u",
+                   .high = s.u_span(),
+                   .only_with = "two_pieces",
+                   .open_floor = true});
     return out;
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
@@ -53,11 +67,28 @@ class Characteristic final : public ShownByMoves {
     const auto add = [&](double curvature, double free, std::array<double, 5> bends) {
       Values values = {curvature, s.u_low, s.u_high, free};
       values.insert(values.end(), bends.begin(), bends.end());
+      values.insert(values.end(), {0, std::midpoint(s.u_low, s.u_high), 0});
       out.push_back(std::move(values));
     };
     for (const Values& start : curve_starts(s)) add(start[0], 0, {});
     // As many moves of u as a free shape has parameters fit anything.
-    if (std::max(moves_of_u(s).events, levels_held(s.u)) < kMovesOfShape) return out;
+    const int moves = std::max(moves_of_u(s).events, levels_held(s.u));
+    if (moves >= kMovesOfPieces) {
+      const auto add_pieces = [&](double slope, double at, double dead) {
+        add(slope, 0, {});
+        std::copy_n(std::array{1.0, at, dead * s.u_span()}.begin(), 3,
+                    out.back().begin() + kPieces);
+      };
+      for (const double share : {0.25, 0.5, 0.75}) {
+        const double at = std::lerp(s.u_low, s.u_high, share);
+        add_pieces(0, at, 0.15);
+        add_pieces(-1, at, 0);
+        add_pieces(1, at, 0);
+      }
+      // A drive that turns both ways.
+      if (s.u_low < 0 && s.u_high > 0) add_pieces(0, 0, 0.1);
+    }
+    if (moves < kMovesOfShape) return out;
     if (const auto seen = seen_in(s)) add(seen->curvature, 1, seen->bends);
     add(0, 1, {-0.5, -1, -1, -1, -0.5});  // steep at both ends
     add(0, 1, {0.5, 1, 1, 1, 0.5});       // S-shaped
@@ -75,31 +106,44 @@ class Characteristic final : public ShownByMoves {
   }
   [[nodiscard]] std::string objection(const Situation&, std::span<const double> p,
                                       std::span<const double>) const override {
+    constexpr double kEnd = 0.1;  // of the range of u
+    if (is_parted(p)) {
+      const TwoPieces curve = pieces(p);
+      const bool at_end =
+          std::min(curve.below() - p[1], p[2] - curve.above()) < kEnd * (p[2] - p[1]);
+      return at_end ? "one of its two pieces is next to none: that is a limit, or a seat"
+                    : "";
+    }
     return p[3] > 0.5 || std::abs(p[0]) < kMostCurvature
                ? ""
                : "no trim changes its gain so much from end to end";
   }
+  [[nodiscard]] OptionalForm optional_form() const override {
+    return {.constant = "two_pieces", .parameters = kOfPieces};
+  }
   [[nodiscard]] std::optional<NamedCurve> named_curve(
       std::span<const double> p) const override {
     constexpr std::size_t kShown = 21;
-    if (p.size() < 4 + kBends.size()) return std::nullopt;
-    Values values(p.begin(), p.end());
+    if (p.size() < kPieces) return std::nullopt;
+    Values values(p.begin(), p.begin() + kPieces);
     if (p[3] <= 0.5) std::fill(values.begin() + 4, values.end(), 0.0);
     const ShapedCurve shaped(values);
+    const bool parted = is_parted(p);
     NamedCurve out;
-    out.kind = kind_of(shaped).code;
+    out.kind = parted ? kOther.code : kind_of(shaped).code;
     out.words = words(p);
-    // Of a free shape the curvature from end to end says nothing by itself.
-    out.inside = std::span(kInside).subspan(p[3] > 0.5 ? 0 : 1);
+    out.inside = parted ? kInsideParted : p[3] > 0.5 ? kInsideFree : kInsideBent;
     for (std::size_t i = 0; i < kShown; ++i) {
       const double at = static_cast<double>(i) / (kShown - 1);
-      out.points.push_back(
-          {std::lerp(p[1], p[2], at), std::lerp(p[1], p[2], shaped.share(at))});
+      const double share = parted ? pieces(p).share(at) : shaped.share(at);
+      out.points.push_back({std::lerp(p[1], p[2], at), std::lerp(p[1], p[2], share)});
     }
     return out;
   }
   void move(std::span<const double> p, ValveSignal& signal) const override {
-    if (p[3] > 0.5) {
+    if (is_parted(p)) {
+      pieces(p).bend(signal.v);
+    } else if (p[3] > 0.5) {
       ShapedCurve(p).bend(signal.v);
     } else {
       Curve{p[0], p[1], p[2]}.bend(signal.v);
@@ -111,11 +155,32 @@ class Characteristic final : public ShownByMoves {
   static constexpr double kMostBend = 8;
   static constexpr double kMostCurvature = 5;
   static constexpr int kMovesOfShape = 10;
+  static constexpr int kMovesOfPieces = 6;
   static constexpr std::array<std::string_view, 5> kBends = {"bend_1", "bend_2", "bend_3",
                                                              "bend_4", "bend_5"};
 
-  static constexpr std::array<std::string_view, 7> kInside = {
-      "curvature", "free_shape", "bend_1", "bend_2", "bend_3", "bend_4", "bend_5"};
+  // Behind from, to and the free shape.
+  static constexpr std::ptrdiff_t kPieces = 4 + kBends.size();
+  static constexpr std::array<std::string_view, 10> kInside = {
+      "curvature", "free_shape", "bend_1",     "bend_2",    "bend_3",
+      "bend_4",    "bend_5",     "two_pieces", "parted_at", "dead_width"};
+  // Of a free shape the curvature from end to end says nothing by itself, of two pieces
+  // neither.
+  static constexpr std::span<const std::string_view> kInsideFree = kInside;
+  static constexpr std::span<const std::string_view> kInsideBent =
+      std::span(kInside).subspan(1);
+  static constexpr std::span<const std::string_view> kInsideParted =
+      std::span(kInside).first(8);
+
+  static constexpr std::array<std::string_view, 2> kOfPieces = {"parted_at",
+                                                                "dead_width"};
+
+  static bool is_parted(std::span<const double> p) {
+    return p.size() > kPieces && p[kPieces] > 0.5;
+  }
+  static TwoPieces pieces(std::span<const double> p) {
+    return {p[1], p[2], p[kPieces + 1], p[kPieces + 2], std::exp(p[0])};
+  }
 
   // A monotone curve over from … to with both ends fixed. The logarithm of its slope is
   // made of straight pieces: `curvature` from end to end, and a bend at each sixth.
@@ -163,6 +228,7 @@ class Characteristic final : public ShownByMoves {
   };
 
   static std::string words(std::span<const double> p) {
+    if (is_parted(p)) return words_of_pieces(p);
     if (p[3] > 0.5) {
       const ShapedCurve curve(p);
       return filled(
@@ -177,6 +243,21 @@ class Characteristic final : public ShownByMoves {
                       : "The valve passes {0} times as much flow per unit of u at the "
                         "{1} end of the range of u as at the other (quick-opening).",
                   {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
+  }
+
+  static std::string words_of_pieces(std::span<const double> p) {
+    constexpr double kDead = 0.01;  // of the range of u
+    constexpr double kOther = 0.1;  // of a slope
+    const TwoPieces curve = pieces(p);
+    const bool dead = curve.above() - curve.below() > kDead * (p[2] - p[1]);
+    const std::string gap =
+        dead ? filled("Between {0} and {1} of u nothing changes.",
+                      {number(curve.below(), 3), number(curve.above(), 3)})
+             : "";
+    if (dead && std::abs(p[0]) < kOther) return gap;
+    return filled("Above {0} of u the same move of u changes {1} times as much as below.",
+                  {number(curve.above(), 3), number(std::exp(p[0]), 3)}) +
+           (dead ? " " + gap : "");
   }
 
   struct Bent {
@@ -215,6 +296,7 @@ class Characteristic final : public ShownByMoves {
     std::string_view code;
     std::string_view words;
   };
+  static constexpr Kind kOther{"other", "a curve of its own"};
   static Kind kind_of(const ShapedCurve& curve) {
     constexpr double kDead = 0.1;
     constexpr double kSteeper = 1.2;
@@ -239,7 +321,7 @@ class Characteristic final : public ShownByMoves {
     if (low > kSteeper * middle && middle > kSteeper * high) {
       return {"quick_opening", "a quick-opening curve"};
     }
-    return {"other", "a curve of its own"};
+    return kOther;
   }
 };
 
