@@ -25,6 +25,13 @@ bool is_between_without_stem(const std::vector<const Effect*>& members) {
          std::ranges::none_of(members, is_stem);
 }
 
+Told told_by_verdict(const Fit& base, ident::Verdict verdict) {
+  if (!is_fault(verdict)) {
+    return verdict == ident::Verdict::kNoStiction ? Told::kLoads : Told::kNothing;
+  }
+  return std::ranges::any_of(base.effects, is_stem) ? Told::kAll : Told::kStemsFirst;
+}
+
 }  // namespace
 
 Told told_between(const Fitter& fitter, const Fit& base, Identified& identified) {
@@ -32,11 +39,11 @@ Told told_between(const Fitter& fitter, const Fit& base, Identified& identified)
   if (!follows_law(law_share(fitter.recording().u, fitter.y(), fitter.pieces()))) {
     return Told::kAll;
   }
-  const ident::Verdict verdict = identified.result(fitter.work()).verdict;
-  if (!is_fault(verdict)) {
-    return verdict == ident::Verdict::kNoStiction ? Told::kLoads : Told::kNothing;
+  try {
+    return told_by_verdict(base, identified.result(fitter.work()).verdict);
+  } catch (const OutOfTime&) {
+    return Told::kAll;
   }
-  return std::ranges::any_of(base.effects, is_stem) ? Told::kAll : Told::kStemsFirst;
 }
 
 void leave_to_controller(Candidate& candidate) {

@@ -22,7 +22,8 @@ enum class Told {
 /// makes of u is not told from what the controller makes of y, unless the identification
 /// finds a valve that makes the loop cycle, or `base` has a recorded load. Loads are told
 /// where it finds that the valve does not stick. Asks
-/// `identified` only where u follows the law. Throws as Work::check().
+/// `identified` only where u follows the law; where the time is up before it answers,
+/// kAll: nothing is tried either. Throws Stopped.
 [[nodiscard]] Told told_between(const Fitter& fitter, const Fit& base,
                                 Identified& identified);
 
