@@ -86,9 +86,10 @@ int add_to(const Options& options) {
   complain_about_left_behind(next.model, read.joined);
   complain_about_unused(read, next.model, work);
   return tell(options, read.joined, next, added_json(next.model),
-              "Added " + options.effect + change_text(next.model.history.back()) +
+              "Added " + next.model.history.back().effect +
+                  change_text(next.model.history.back()) +
                   effect_table(next.model.effects.back(), 4) +
-                  harm_text(next.model, options.effect));
+                  harm_text(next.model, next.model.history.back().effect));
 }
 
 int remove_from(const Options& options) {

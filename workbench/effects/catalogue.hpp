@@ -22,6 +22,9 @@ class Catalogue {
   /// Null where no effect has this code. O(n). A measured load has its own for any
   /// column: disturbance.measured:COLUMN.
   [[nodiscard]] const Effect* find(std::string_view code) const;
+  /// The same as a user writes it: a measured load without regard to case and unit, or
+  /// by some pieces of its name, where that fits one load of the catalogue.
+  [[nodiscard]] const Effect* find_asked(std::string_view code) const;
   [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
   /// With an effect for each load of a recording.
   [[nodiscard]] Catalogue with(const std::vector<Load>& loads) const;

@@ -14,6 +14,8 @@ namespace workbench::effects {
 [[nodiscard]] const Effect& process_dead_time();
 [[nodiscard]] const Effect& process_second_lag();
 [[nodiscard]] const Effect& process_integrating();
+[[nodiscard]] const Effect& process_directional_lag();
+[[nodiscard]] const Effect& process_slow_tail();
 [[nodiscard]] const Effect& process_nonlinear_gain();
 [[nodiscard]] const Effect& process_gain_drift();
 [[nodiscard]] const Effect& process_overflow();

@@ -91,7 +91,7 @@ class NonlinearGain final : public ShownByMoves {
   void form(std::span<const double> p, ProcessShape& shape) const override {
     if (p[3] > 0.5) shape.storage = curve(p);
     shape.last_only = p[3] > 2.5;
-    shape.start = p[4];
+    shape.start += p[4];
   }
   void bend(std::span<const double> p, std::span<double> z) const override {
     curve(p).bend(z);

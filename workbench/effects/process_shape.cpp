@@ -148,6 +148,33 @@ void two_lags(std::span<const double> in, double period_s, double first_s,
   }
 }
 
+// (W41) The same where the first one fills and empties at different speeds; second_s = 0: one.
+void directional_lags(const ProcessShape& shape, std::span<const double> in,
+                      double period_s, std::span<double> out) {
+  struct Way {
+    double left;  // of the first lag, after an interval
+    double mean;  // of the same, over the interval, as the second lag weighs it
+  };
+  const IntervalWeight weight{period_s, shape.second_lag_s};
+  const auto way = [&](double lag_s) {
+    return Way{std::exp(-period_s / lag_s), weight.decay(lag_s)};
+  };
+  const Way rising = way(shape.first_lag_s);
+  const Way falling = way(shape.first_lag_s * shape.falling_over_rising);
+  const double second_left =
+      shape.second_lag_s > 0 ? std::exp(-period_s / shape.second_lag_s) : 0;
+  double z1 = in[0] + shape.start;
+  double z2 = z1;
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    out[k] = shape.second_lag_s > 0 ? z2 : z1;
+    const Way& now = in[k] < z1 ? falling : rising;
+    const double apart = z1 - in[k];
+    const double mean = in[k] + apart * now.mean;
+    z2 = mean + (z2 - mean) * second_left;
+    z1 = in[k] + apart * now.left;
+  }
+}
+
 // An integrator behind a lag: ∫ z1 over an interval is h v + T1 (1 - a1) (z1 - v).
 void lag_and_integrator(std::span<const double> in, double period_s, double lag_s,
                         std::span<double> out) {
@@ -197,8 +224,9 @@ class Storage {
   Storage(const CurveSlope& slope, double lag) : slope_(slope), lag_(lag) {}
 
   // Its lag over an interval in which `z` goes towards `goal`: that of halfway.
-  double lag(double z, double goal) {
-    return lag_ * slope_(goal + (z - goal) * halfway_(lag_ * slope_(z)));
+  double lag(double z, double goal, double falling) {
+    const double way = z > goal ? falling : 1;
+    return way * lag_ * slope_(goal + (z - goal) * halfway_(way * lag_ * slope_(z)));
   }
   double left(double lag) { return left_(lag); }
 
@@ -225,7 +253,9 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
   double z2 = in[0] + shape.start;
   for (std::size_t k = 0; k < in.size(); ++k) {
     const double v = in[k];
-    const double lag1 = constant ? lag_of_first : first.lag(z1, v);
+    const double falling = shape.falling_over_rising;
+    const double lag1 =
+        constant ? lag_of_first * (z1 > v ? falling : 1) : first.lag(z1, v, falling);
     double left1 = first.left(lag1);
     const double way = z1 - v;
     z1 = v + way * left1;
@@ -240,7 +270,7 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
     const double mean = v + way * lag1 * (1 - left1) - lost;
     out[k] = z2;
     if (two) {
-      z2 = mean + (z2 - mean) * second.left(second.lag(z2, mean));
+      z2 = mean + (z2 - mean) * second.left(second.lag(z2, mean, 1));
     } else {
       z2 = z1;
     }
@@ -264,6 +294,8 @@ void slow_response(const ProcessShape& shape, double period_s,
   } else if ((shape.storage.curvature != 0 && shape.first_lag_s > 0) ||
              spills(shape, input)) {
     storages(shape, input, period_s, out);
+  } else if (shape.falling_over_rising != 1 && shape.first_lag_s > 0) {
+    directional_lags(shape, input, period_s, out);
   } else if (shape.second_lag_s > 0 && shape.first_lag_s > 0) {
     two_lags(input, period_s, shape.first_lag_s, shape.second_lag_s,
              input[0] + shape.start, out);
@@ -291,6 +323,15 @@ void subtract_fast_part(const ProcessShape& shape, double period_s,
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = slow * out[k] - share * fast[k];
 }
 
+// (W41)
+void delay_tail(const ProcessShape& shape, double period_s, std::span<double> out) {
+  std::vector<double> tail(out.size());
+  lag_of_lines(out, period_s, shape.tail_lag_s, tail);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k] += shape.tail_share * (tail[k] - out[k]);
+  }
+}
+
 }  // namespace
 
 double fast_lag_of(const ProcessShape& shape) {
@@ -309,9 +350,11 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
           scratch);
     input = scratch;
   }
-  const bool bent = shape.storage.curvature != 0 || std::isfinite(shape.brim);
+  const bool bent = shape.storage.curvature != 0 || std::isfinite(shape.brim) ||
+                    shape.falling_over_rising != 1;
   if (shape.ring_period_s > 0 && !(shape.opposite_s > 0) && !bent) {
     ring_behind_lags(shape, period_s, input, out);
+    if (shape.tail_share > 0) delay_tail(shape, period_s, out);
     return;
   }
   if (shape.opposite_s > 0) {
@@ -323,6 +366,7 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
     slow_response(shape, period_s, input, out);
   }
   if (shape.ring_period_s > 0) ring(shape, period_s, out);
+  if (shape.tail_share > 0) delay_tail(shape, period_s, out);
 }
 
 void decay(double period_s, double lag_s, std::span<double> out) {

@@ -32,6 +32,11 @@ struct ProcessShape {
   /// damping, 1 where they just do not; 0: absent.
   double ring_period_s = 0;
   double ring_damping = 1;
+  /// First lag while its content falls, over the lag while it rises.
+  double falling_over_rising = 1;
+  /// Of the answer: comes with another lag behind the rest; 0: none.
+  double tail_share = 0;
+  double tail_lag_s = 0;
   double start = 0;          ///< content of the storages at first, less the first input
   bool integrating = false;  ///< ∫ v dt in s times units of v, instead of the first lag
 };

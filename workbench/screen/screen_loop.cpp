@@ -222,7 +222,7 @@ ScreenedLoop screen_loop(std::vector<Recording> recordings,
       Depth::kVerdict);
   out.samples = static_cast<double>(analysis.samples());
   if (may_oscillate(analysis.result().reason)) {
-    out.oscillating_share = all_s > 0 ? oscillating_s / all_s : 0;
+    out.oscillating_share = all_s > 0 ? std::min(oscillating_s / all_s, 1.0) : 0;
   } else {
     for (Remembered& one : remembered) one.heard.oscillates.clear();
   }

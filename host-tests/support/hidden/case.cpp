@@ -96,7 +96,8 @@ void draw_setpoint(const CaseKey& key, const Scale& scale, Random& random,
   setup.setpoint.clear();
   const bool cycle = key.excitation == Excitation::kLimitCycle;
   const bool moved = !cycle || has(key, Effect::kIntegrating) ||
-                     has(key, Effect::kBacklash) || has(key, Effect::kNonlinearGain);
+                     has(key, Effect::kBacklash) || has(key, Effect::kNonlinearGain) ||
+                     has(key, Effect::kSlowTail);
   if (key.excitation == Excitation::kQuiet || !moved) {
     const double stuck_off = has(key, Effect::kStiction) && cycle
                                  ? random.uniform(0.1, 0.5) * random.sign()

@@ -8,17 +8,18 @@ namespace hidden {
 namespace {
 
 constexpr std::array<std::string_view, kEffects> kCodes{
-    "valve.stiction",       "valve.backlash",
-    "valve.saturation",     "valve.characteristic",
-    "valve.positioner_lag", "valve.rate_limit",
-    "process.dead_time",    "process.second_lag",
-    "process.integrating",  "process.nonlinear_gain",
-    "process.gain_drift",   "process.overflow",
-    "disturbance.sinusoid", "disturbance.step",
-    "disturbance.ramp",     "sensor.lag",
-    "sensor.quantisation",  "process.inverse_response",
-    "process.oscillatory",  "sensor.sticking",
-    "sensor.spikes",        "record.compression"};
+    "valve.stiction",          "valve.backlash",
+    "valve.saturation",        "valve.characteristic",
+    "valve.positioner_lag",    "valve.rate_limit",
+    "process.dead_time",       "process.second_lag",
+    "process.integrating",     "process.nonlinear_gain",
+    "process.gain_drift",      "process.overflow",
+    "disturbance.sinusoid",    "disturbance.step",
+    "disturbance.ramp",        "sensor.lag",
+    "sensor.quantisation",     "process.inverse_response",
+    "process.oscillatory",     "sensor.sticking",
+    "sensor.spikes",           "record.compression",
+    "process.directional_lag", "process.slow_tail"};
 
 /// Stick band S and slip jump J of one stroke: S = static + kinetic of the other stroke.
 void draw_stiction(const Scale& scale, Random& random, const LoopSetup& setup,
@@ -159,7 +160,8 @@ bool is_limit(Effect effect) {
 }
 
 bool is_recorded(Effect effect) {
-  return effect >= Effect::kSticking || effect == Effect::kQuantisation;
+  return effect == Effect::kSticking || effect == Effect::kSpikes ||
+         effect == Effect::kCompression || effect == Effect::kQuantisation;
 }
 
 void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& setup) {
@@ -233,6 +235,14 @@ void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& s
     case Effect::kCompression:
       setup.compression = scale.swing_y * random.uniform(0.1, 0.3);
       setup.holds_stored = random.chance(0.3);
+      break;
+    case Effect::kDirectionalLag:
+      setup.process.falling_over_rising =
+          std::exp(random.sign() * std::log(random.uniform(1.4, 3)));
+      break;
+    case Effect::kSlowTail:
+      setup.process.tail_share = random.uniform(0.2, 0.5);
+      setup.process.tail_lag_s = scale.lag_s * random.log_uniform(3, 10);
       break;
     case Effect::kSaturation:
     case Effect::kRateLimit:
@@ -328,6 +338,12 @@ LoopSetup without(const LoopSetup& setup, Effect effect) {
     case Effect::kCompression:
       rest.compression = 0;
       break;
+    case Effect::kDirectionalLag:
+      rest.process.falling_over_rising = 1;
+      break;
+    case Effect::kSlowTail:
+      rest.process.tail_share = 0;
+      break;
   }
   return rest;
 }
@@ -411,6 +427,10 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
       break;
     case Effect::kCompression:
       add("tolerance", setup.compression);
+      break;
+    case Effect::kSlowTail:
+      add("tail_share", setup.process.tail_share);
+      add("tail_lag", setup.process.tail_lag_s);
       break;
     default:
       break;  // lags are interchangeable, the rest depends on the form of the model

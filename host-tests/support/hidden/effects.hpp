@@ -36,8 +36,10 @@ enum class Effect {
   kSticking,
   kSpikes,
   kCompression,
+  kDirectionalLag,
+  kSlowTail,
 };
-inline constexpr int kEffects = 22;
+inline constexpr int kEffects = 24;
 
 /// Code of the contract: "valve.stiction".
 [[nodiscard]] std::string_view code_of(Effect effect);

@@ -22,6 +22,7 @@ HiddenProcess::State HiddenProcess::slope(const State& z, double input) const {
   const double share = physics_.opposite_share;
   s[0] =
       ((1 + share) * input - (physics_.integrating ? 0 : outflow)) / physics_.first_lag_s;
+  if (s[0] < 0) s[0] /= physics_.falling_over_rising;
   s[1] = physics_.second_lag_s > 0 ? (z[0] - z[1]) / physics_.second_lag_s : 0;
   s[2] = physics_.sensor_lag_s > 0 ? (output(z) - z[2]) / physics_.sensor_lag_s : 0;
   s[3] = (share * input - z[3]) / physics_.fast_lag_s;
@@ -30,6 +31,7 @@ HiddenProcess::State HiddenProcess::slope(const State& z, double input) const {
     s[4] = z[5];
     s[5] = w * (w * (z[last_lag()] - z[4]) - 2 * physics_.ring_damping * z[5]);
   }
+  s[6] = (untailed(z) - z[6]) / physics_.tail_lag_s;
   return s;
 }
 
@@ -62,8 +64,13 @@ void HiddenProcess::advance(double v, double load, double gain_factor) {
   level = std::min(level, physics_.overflow);
 }
 
-double HiddenProcess::output(const State& z) const {
+double HiddenProcess::untailed(const State& z) const {
   return (physics_.ring_period_s > 0 ? z[4] : z[last_lag()]) - z[3];
+}
+
+double HiddenProcess::output(const State& z) const {
+  const double most = untailed(z);
+  return most + physics_.tail_share * (z[6] - most);
 }
 
 double HiddenProcess::sensed() const {

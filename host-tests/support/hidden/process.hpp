@@ -33,6 +33,10 @@ struct ProcessPhysics {
   double fast_lag_s = 1;
   double ring_period_s = 0;  ///< of a pair of storages behind the lags; 0 for none
   double ring_damping = 1;
+  double falling_over_rising = 1;  ///< first lag while its content falls
+  /// Of what the lags give, this share comes through one more lag, beside the rest.
+  double tail_share = 0;
+  double tail_lag_s = 1;
 };
 
 class HiddenProcess {
@@ -49,9 +53,10 @@ class HiddenProcess {
   [[nodiscard]] bool ran_dry() const { return ran_dry_; }
 
  private:
-  // First lag, second lag, sensor lag, opposite path, ringing pair and its slope.
-  using State = std::array<double, 6>;
+  // First lag, second lag, sensor lag, opposite path, ringing pair and its slope, tail.
+  using State = std::array<double, 7>;
   [[nodiscard]] State slope(const State& z, double input) const;
+  [[nodiscard]] double untailed(const State& z) const;
   [[nodiscard]] double output(const State& z) const;
   [[nodiscard]] std::size_t last_lag() const { return physics_.second_lag_s > 0 ? 1 : 0; }
 

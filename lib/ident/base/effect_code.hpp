@@ -32,8 +32,10 @@ enum class EffectCode : std::uint8_t {
   kSensorSticking,
   kSensorSpikes,
   kRecordCompression,
+  kProcessDirectionalLag,
+  kProcessSlowTail,
 };
-inline constexpr int kEffectCodes = 23;  ///< kNone among them
+inline constexpr int kEffectCodes = 25;  ///< kNone among them
 
 inline constexpr std::array<std::string_view, kEffectCodes> kEffectNames = {
     "",
@@ -59,6 +61,8 @@ inline constexpr std::array<std::string_view, kEffectCodes> kEffectNames = {
     "sensor.sticking",
     "sensor.spikes",
     "record.compression",
+    "process.directional_lag",
+    "process.slow_tail",
 };
 
 /// E.g. "valve.stiction"; empty for kNone.

@@ -247,9 +247,10 @@ std::optional<Fit> Fitter::built_either_way(const std::vector<const Effect*>& ef
 Fit Fitter::start(const std::vector<const Effect*>& effects) const {
   const Effect* missing = nullptr;
   if (auto fit = built_either_way(effects, missing)) return std::move(*fit);
-  throw InputError(recording_->name, 0, 0,
-                   "a recording that shows " + std::string(missing->code()),
-                   "nothing to start from", "leave the effect out");
+  throw CannotAnswer(
+      recording_->name, 0, 0, "a recording that shows " + std::string(missing->code()),
+      "nothing to start from",
+      "leave the effect out, or: " + std::string(missing->description().split));
 }
 
 // No start, no points.

@@ -125,9 +125,11 @@ void FreeRun::add_decay(std::size_t number, std::string_view name, double lag_s)
 // The same behind the process, whose lags, all in a row, forget no later than this.
 double FreeRun::memory_of_process() const {
   if (integrating_) return kForEver;
-  double lags_s = shape_.first_lag_s + shape_.second_lag_s;
+  double lags_s = shape_.first_lag_s * std::max(1.0, shape_.falling_over_rising) +
+                  shape_.second_lag_s;
   if (shape_.opposite_s > 0) lags_s += fast_lag_of(shape_);
   if (shape_.ring_period_s > 0) lags_s += lag_of_ringing(shape_);
+  if (shape_.tail_share > 0) lags_s += shape_.tail_lag_s;
   return shape_.dead_time_s + memory_of_state(lags_s);
 }
 
@@ -182,6 +184,7 @@ void FreeRun::add_initial_states(std::size_t number) {
   if (!integrating_) add_decay(number, "first_lag_state", shape_.first_lag_s);
   add_decay(number, "second_lag_state", shape_.second_lag_s);
   if (shape_.opposite_s > 0) add_decay(number, "fast_part_state", fast_lag_of(shape_));
+  if (shape_.tail_share > 0) add_decay(number, "tail_state", shape_.tail_lag_s);
   if (shape_.ring_period_s > 0) {
     const double memory_s = memory_of_state(lag_of_ringing(shape_));
     const std::span<double> even = initial_column(number, "ringing_state", memory_s);
@@ -189,6 +192,7 @@ void FreeRun::add_initial_states(std::size_t number) {
   }
   ProcessShape linear = shape_;
   linear.storage = {};
+  linear.falling_over_rising = 1;
   linear.start = 0;
   const double memory_s = memory_of_process();
   std::vector<double> in;

@@ -25,7 +25,7 @@ constexpr int kMostRevisions = 4;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 const Effect& effect_named(std::string_view code, const Catalogue& catalogue) {
-  const Effect* effect = catalogue.find(code);
+  const Effect* effect = catalogue.find_asked(code);
   if (effect == nullptr) {
     throw std::invalid_argument("no effect '" + std::string(code) +
                                 "'; known effects: " + catalogue.codes());
@@ -70,7 +70,8 @@ bool takes_back(const LadderStep& next, const LadderStep& step) {
 FittedModel start_model(const Recording& recording, Column output,
                         const std::vector<std::string>& with, const Catalogue& catalogue,
                         const Work& work) {
-  const std::vector<const Effect*> effects = effects_named(with, catalogue);
+  const std::vector<const Effect*> effects =
+      effects_named(with, catalogue.with(recording.loads));
   const Fitter fitter(recording, output, work);
   const Fit fit = fitter.start(effects);
   FittedModel out{model_of(fitter, fit), quality(fitter, fit)};
@@ -81,9 +82,9 @@ FittedModel start_model(const Recording& recording, Column output,
 FittedModel add_effect(const Recording& recording, const Model& model,
                        std::string_view effect, const Catalogue& catalogue,
                        const Work& work) {
-  const Effect& added = effect_named(effect, catalogue);
-  if (model.has(effect)) {
-    throw std::invalid_argument("the model already has " + std::string(effect));
+  const Effect& added = effect_named(effect, catalogue.with(recording.loads));
+  if (model.has(added.code())) {
+    throw std::invalid_argument("the model already has " + std::string(added.code()));
   }
   const Fitter fitter(recording, model.output, work);
   const Fit before = fitter.refine(fitter.apply(model, catalogue));
@@ -95,7 +96,7 @@ FittedModel add_effect(const Recording& recording, const Model& model,
   const Fit now = in_step(fitter, before, fitter.reconsider(*after, &added), added);
   FittedModel out{model_of(fitter, now), quality(fitter, now)};
   out.model.history = model.history;
-  out.model.history.push_back(step_of(fitter, std::string(effect), &before, now));
+  out.model.history.push_back(step_of(fitter, std::string(added.code()), &before, now));
   return out;
 }
 
@@ -165,6 +166,7 @@ class Climb {
       if (contains(given_, *effect)) continue;
       std::optional<Fit> simple = simplified(fitter_, fit_, *effect, catalogue_);
       if (!simple) continue;
+      const Work::WritingDown whole(fitter_.work());
       const Fit rest = fitter_.without(fit_, *effect);
       std::vector<std::string> group;
       const Effect& newest = *simple->effects.back();
@@ -291,7 +293,9 @@ class Climb {
     return std::find(seen_.begin(), seen_.end(), sorted(fit_.effects)) != seen_.end();
   }
 
+  // Whole or not at all: what it takes away would be missed without what it adds.
   void take(Revision second) {
+    const Work::WritingDown whole(fitter_.work());
     const std::size_t from = steps_.size();
     for (const Effect* effect : second.removed) {
       if (second.added.empty()) open_ = open_.without(*effect);

@@ -35,7 +35,9 @@ Json recordings_json(const std::vector<RecordingFit>& recordings) {
     out.push_back({{"file", one.file},
                    {"fit_percent", one.fit_percent},
                    {"rmse", one.rmse},
-                   {"rmse_validation", one.rmse_validation},
+                   // 0: all of its samples were fitted, and none judges.
+                   {"rmse_validation",
+                    one.rmse_validation > 0 ? Json(one.rmse_validation) : Json(nullptr)},
                    {"judges", one.judges}});
   }
   return out;

@@ -20,17 +20,18 @@ TEST(Catalogue, HasTheEffectsOfTheContract) {
     codes.emplace(effect->code());
   }
   EXPECT_EQ(codes,
-            (std::set<std::string>{"valve.stiction",       "valve.backlash",
-                                   "valve.saturation",     "valve.characteristic",
-                                   "valve.positioner_lag", "valve.rate_limit",
-                                   "process.dead_time",    "process.second_lag",
-                                   "process.integrating",  "process.nonlinear_gain",
-                                   "process.gain_drift",   "process.overflow",
-                                   "disturbance.sinusoid", "disturbance.step",
-                                   "disturbance.ramp",     "sensor.lag",
-                                   "sensor.quantisation",  "process.inverse_response",
-                                   "process.oscillatory",  "sensor.sticking",
-                                   "sensor.spikes",        "record.compression"}));
+            (std::set<std::string>{"valve.stiction",          "valve.backlash",
+                                   "valve.saturation",        "valve.characteristic",
+                                   "valve.positioner_lag",    "valve.rate_limit",
+                                   "process.dead_time",       "process.second_lag",
+                                   "process.integrating",     "process.nonlinear_gain",
+                                   "process.gain_drift",      "process.overflow",
+                                   "disturbance.sinusoid",    "disturbance.step",
+                                   "disturbance.ramp",        "sensor.lag",
+                                   "sensor.quantisation",     "process.inverse_response",
+                                   "process.oscillatory",     "sensor.sticking",
+                                   "sensor.spikes",           "record.compression",
+                                   "process.directional_lag", "process.slow_tail"}));
   EXPECT_EQ(standard_catalogue().find("no.such"), nullptr);
   Catalogue catalogue = standard_catalogue();
   EXPECT_THROW(catalogue.add(effects::sensor_lag()), std::invalid_argument);
@@ -195,6 +196,35 @@ TEST(Catalogue, ACharacteristicSaysWhichKindOfCurveItIs) {
   EXPECT_EQ(kind({5, 20, 80, 1, 4.2, 3.3, 2.5, 1.7, 0.8}), "dead_at_seat");
   // Bends count only where the shape is free.
   EXPECT_EQ(kind({2, 20, 80, 0, 0.5, 9, 9, 9, 0.5}), "equal_percentage");
+}
+
+TEST(Catalogue, AMeasuredLoadIsFoundAsAUserWritesIt) {
+  const Catalogue all = standard_catalogue().with(
+      {{"d1 [bar]", "bar", {}}, {"Feed.flow", "", {}}, {"Feed.level", "", {}}});
+  const auto code = [&](std::string_view asked) {
+    return std::string(
+        all.find_asked("disturbance.measured:" + std::string(asked))->code());
+  };
+  EXPECT_EQ(code("d1 [bar]"), "disturbance.measured:d1 [bar]");
+  EXPECT_EQ(code("D1"), "disturbance.measured:d1 [bar]");
+  EXPECT_EQ(code("flow"), "disturbance.measured:Feed.flow");
+  EXPECT_EQ(code("feed"), "disturbance.measured:feed") << "two begin so";
+  EXPECT_EQ(all.find_asked("no.such"), nullptr);
+}
+
+TEST(Catalogue, ACharacteristicInTwoPiecesSaysWhereItIsDead) {
+  const auto curve = [](double slope, double dead) {
+    const Values p{slope, 20, 80, 0, 0, 0, 0, 0, 0, 1, 50, dead};
+    return effects::valve_characteristic().named_curve(p).value();
+  };
+  EXPECT_EQ(curve(0, 6).kind, "other");
+  EXPECT_EQ(curve(0, 6).words, "Between 47 and 53 of u nothing changes.");
+  EXPECT_EQ(curve(std::log(2.0), 0).words,
+            "Above 50 of u the same move of u changes 2 times as much as below.");
+  EXPECT_EQ(curve(0, 6).points[10][1], curve(0, 6).points[10][0]);
+  for (const std::string_view name : curve(0, 6).inside) {
+    EXPECT_TRUE(name != "parted_at" && name != "dead_width");
+  }
 }
 
 TEST(Catalogue, TheCurveOfACharacteristicRisesFromEndToEnd) {

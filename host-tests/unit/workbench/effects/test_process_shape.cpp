@@ -39,6 +39,41 @@ TEST(ProcessShape, OneLagIsExactForAStep) {
   }
 }
 
+TEST(ProcessShape, ADirectionalLagIsExactBothWays) {
+  for (const double second : {0.0, 3.0}) {
+    ProcessShape shape;
+    shape.first_lag_s = 7;
+    shape.second_lag_s = second;
+    const auto rising = response(shape, step(300));
+    shape.falling_over_rising = 4;
+    std::vector<double> u = step(600);
+    std::fill(u.begin() + 300, u.end(), 0.0);
+    const auto y = response(shape, u);
+    for (std::size_t k = 1; k < 300; ++k) EXPECT_NEAR(y[k], rising[k], 1e-12) << k;
+    shape.first_lag_s = 28;
+    shape.falling_over_rising = 1;
+    const auto slow = response(shape, step(300));
+    for (std::size_t k = 301; k < 599; ++k) {
+      EXPECT_NEAR(y[k], 1 - slow[k - 299], 1e-9) << k;
+    }
+  }
+}
+
+TEST(ProcessShape, ATailComesThroughALagOfItsOwn) {
+  ProcessShape shape;
+  shape.first_lag_s = 7;
+  const auto fast = response(shape, step(200));
+  shape.second_lag_s = 60;
+  const auto both = response(shape, step(200));
+  shape.second_lag_s = 0;
+  shape.tail_share = 0.3;
+  shape.tail_lag_s = 60;
+  const auto y = response(shape, step(200));
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    EXPECT_NEAR(y[k], 0.7 * fast[k] + 0.3 * both[k], 3e-4) << k;
+  }
+}
+
 TEST(ProcessShape, ALagMayWriteOverItsInput) {
   const std::vector<double> in = {0, 3, 1, 4, 1, 5};
   std::vector<double> apart(in.size());
