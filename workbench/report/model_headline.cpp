@@ -48,6 +48,9 @@ std::string model_headline(const ModelReport& report) {
   if (says_hardly_anything(report.comparison.quality.fit_percent)) {
     return "From u alone the model says hardly anything about the output.";
   }
+  if (may_lack_gain(report.model)) {
+    return "Nothing shows that the output follows u at all.";
+  }
   const auto [found, doubtful, harmful] = told_of(report);
   const std::string what = titled(found, " and ");
   if (!doubtful.empty() || !harmful.empty()) {

@@ -100,6 +100,8 @@ std::string objection_to(const Effect& effect, const Fit& fit, const Situation& 
 bool shows_itself(const Fitter& fitter, const Fit& fit, const Fit& without,
                   const Effect& effect) {
   constexpr double kSure = 0.005;
+  // Of the squared error: a model is coarse as its readings are, but no worse for it.
+  constexpr double kHarmless = -0.02;
   constexpr double kEqual = 1e-6;  // of the error: another effect does the same already
   const double all = total_error(fit);
   if (std::abs(total_error(without) - all) <= kEqual * all) return false;
@@ -107,7 +109,8 @@ bool shows_itself(const Fitter& fitter, const Fit& fit, const Fit& without,
   const double before = fitter.rmse_on(without, false);
   const double after = fitter.rmse_on(fit, false);
   const double share = 1 - after * after / (before * before);
-  return p_value && *p_value < kSure && share > effect.description().least_share;
+  return p_value && *p_value < kSure &&
+         share > std::max(effect.description().least_share, kHarmless);
 }
 
 bool is_excited(const Effect& effect, const Excitation& seen, double p_value) {

@@ -130,12 +130,14 @@ std::size_t of_the_plant(const Fit& fit) {
   return fit.parameters() - initial;
 }
 
-// Leaves less with fewer parameters, and hardly more on the samples that judge: whitened,
-// a few samples after each move of u may weigh more than all that is seen.
+// Leaves less with fewer parameters, and hardly more on the samples that judge, or the
+// other way round: whitened, a few samples after each move of u may weigh more than all
+// that is seen.
 bool beats(const Fitter& fitter, const Trial& trial, const Trial& other) {
+  const double judged = share_left(fitter, trial, other);
+  const double all = total_error(*trial.fit) / total_error(*other.fit);
   return of_the_plant(*trial.fit) < of_the_plant(*other.fit) &&
-         fits_better(&trial, &other) &&
-         share_left(fitter, trial, other) < 1 + kLeastMissed;
+         std::max(judged, all) < 1 + kLeastMissed && (all < 1 || judged < 1);
 }
 
 // That which beats `best`, where one does, listed first.

@@ -46,6 +46,7 @@ const char* const kUntold = "with values that cannot be told from none";
 
 void leave_in_doubt(Trial& trial, const std::string& but) {
   trial.candidate.status = CandidateStatus::kUndecided;
+  if (but == kUntold) trial.candidate.spoken_against = true;
   trial.candidate.evidence =
       filled("It takes away {0} of the squared error, but {1}.",
              {percent(trial.candidate.error_reduction_percent / 100), but});

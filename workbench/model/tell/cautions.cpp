@@ -14,6 +14,11 @@ bool says_hardly_anything(double fit_percent) {
   return fit_percent < kLeast;
 }
 
+bool may_lack_gain(const Model& model) {
+  const Parameter* gain = find(model.process, "gain");
+  return gain != nullptr && gain->low < gain->high && gain->low <= 0 && gain->high >= 0;
+}
+
 bool is_beside_the_point(const Candidate& best) {
   constexpr double kHardlyAnyPercent = 5;
   const Effect* effect = standard_catalogue().find(best.effect);
@@ -48,9 +53,13 @@ std::vector<std::string> cautions(const Model& model, double fit_percent,
         "From u alone the model says hardly more about the output than a constant would: "
         "it lacks something large, or u is not the column that moves the output."};
   }
-  const auto lag = std::find_if(model.process.begin(), model.process.end(),
-                                [](const Parameter& p) { return p.name == "first_lag"; });
-  if (lag == model.process.end() || lag->value < kAtBound * lag->bound_high) return {};
+  if (may_lack_gain(model)) {
+    return {
+        "The interval of the gain holds 0: nothing shows that the output follows u at "
+        "all. Move u further, or give the column that moves the output."};
+  }
+  const Parameter* lag = find(model.process, "first_lag");
+  if (lag == nullptr || lag->value < kAtBound * lag->bound_high) return {};
   return {filled(
       "The first lag is as long as the recording: the process may be slower still, or "
       "never settle ({0}).",

@@ -13,6 +13,9 @@ namespace workbench {
 /// model on the recording, contract's fit.
 [[nodiscard]] bool says_hardly_anything(double fit_percent);
 
+/// True where the interval of the process gain holds 0: u may not move the output at all.
+[[nodiscard]] bool may_lack_gain(const Model& model);
+
 /// True of what the readings show whatever the model, a coarse resolution, where next to
 /// none of the error is its doing. `best`: an accepted candidate.
 [[nodiscard]] bool is_beside_the_point(const Candidate& best);
@@ -22,8 +25,8 @@ namespace workbench {
 [[nodiscard]] bool is_left_to_controller(const Model& model, const Recording& recording);
 
 /// Whole sentences in plain text, empty where there is nothing to say: u that only the
-/// controller moves, a first lag that only the length of the recording bounds, a fit that
-/// a constant would reach, too.
+/// controller moves, a fit that a constant would reach, too, a gain that may be none, a
+/// first lag that only the length of the recording bounds.
 [[nodiscard]] std::vector<std::string> cautions(const Model& model, double fit_percent,
                                                 bool left_to_controller);
 

@@ -51,6 +51,16 @@ TEST(Cautions, AFitThatAConstantReachesIsSaid) {
   EXPECT_TRUE(cautions(Model{}, 5.1, false).empty());
 }
 
+TEST(Cautions, AGainThatMayBeNoneIsSaid) {
+  Model model = with_lag(120);
+  model.process.push_back({.name = "gain", .value = 0.1, .low = -0.1, .high = 0.3});
+  EXPECT_TRUE(may_lack_gain(model));
+  EXPECT_TRUE(caution_says(cautions(model, 80, false), "holds 0"));
+  model.process.back().low = 0.05;
+  EXPECT_FALSE(may_lack_gain(model));
+  EXPECT_TRUE(cautions(model, 80, false).empty());
+}
+
 TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) {
   Recording recording;
   double sum = 0;
