@@ -51,6 +51,20 @@ TEST(LeftToController, SetpointsAndAHandTell) {
   EXPECT_EQ(told_by(test::stepped(levels, [](double u) { return u; })), Told::kAll);
 }
 
+// The verdict on the valve is asked for where u follows the law.
+TEST(LeftToController, WhereTheTimeIsUpNothingIsTriedAndAllIsSaidToBeOpen) {
+  const Recording recording = simulated(with_a_sticking_valve());
+  const Work work({.seconds = 1e-6});
+  const Model model = [&] {
+    const Work::WritingDown whatever_it_takes(work);
+    return start_model(recording, Column::y, {}, standard_catalogue(), work).model;
+  }();
+  const ExplainResult result = explain(recording, model, {}, standard_catalogue(), work);
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.best(), nullptr);
+  EXPECT_EQ(result.candidates.size(), standard_catalogue().effects().size());
+}
+
 TEST(LeftToController, AValveThatMakesTheLoopCycleComesFirst) {
   const Recording recording = simulated(with_a_sticking_valve());
   EXPECT_EQ(told_by(recording), Told::kStemsFirst);
