@@ -64,7 +64,8 @@ struct Candidate {
   std::vector<Parameter> parameters{};  ///< empty where nothing was fitted
   std::vector<EffectTerm> partners{};   ///< those of `with`, of the one named
   bool phenomenological = false;
-  bool spoken_against = false;  ///< by its own values: undecided for that reason
+  /// By its own values, or by the verdict on the valve: undecided for that reason.
+  bool spoken_against = false;
 };
 
 /// Codes of the effect and of those that it comes with.

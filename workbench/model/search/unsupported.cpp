@@ -90,6 +90,7 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
     // It shows: that its own values make its events few says that they are not sure.
     trial.too_few = true;
     c.status = CandidateStatus::kUndecided;
+    c.spoken_against = true;
     c.evidence = filled(
         "It takes away {0} of the squared error on samples that were not fitted, but "
         "with these values the recording has too few {2} to tell it from chance: {1}.",

@@ -144,6 +144,7 @@ void VerdictOnStems::refute(Trial& trial) const {
   if (objection == nullptr) return;
   const std::optional<double> excluded = excluded_by(found);
   trial.candidate.status = CandidateStatus::kUndecided;
+  trial.candidate.spoken_against = true;
   trial.candidate.evidence =
       filled(objection, {number(trial.candidate.error_reduction_percent, 3) + " %",
                          excluded ? number(*excluded, 3) : ""});
@@ -167,6 +168,7 @@ void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
   if (!excludes_off(*fitter_, *stem->fit, intervals, *stem->effect)) return;
   Candidate& c = stem->candidate;
   c.status = CandidateStatus::kAccepted;
+  c.spoken_against = false;
   c.parameters = parameters_of(*stem->fit, intervals, stem->effect);
   stem->test.p_value = std::min(stem->test.p_value, std::exp(-nats));
   stem->p_family = std::min(stem->p_family, stem->test.p_value);
