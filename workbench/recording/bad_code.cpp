@@ -21,8 +21,7 @@ constexpr std::array kCodes = {
     16777215.0, 2147483647.0, -2147483648.0, 4294967295.0};
 
 bool is_code(double value) {
-  return std::abs(value) >= kBeyond ||
-         std::find(kCodes.begin(), kCodes.end(), value) != kCodes.end();
+  return std::abs(value) >= kBeyond || std::ranges::find(kCodes, value) != kCodes.end();
 }
 
 struct Range {

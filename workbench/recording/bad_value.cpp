@@ -136,10 +136,9 @@ bool says_no_value(std::string_view cell, bool export_file) {
   const auto begins = [&lower](std::string_view word) { return lower.starts_with(word); };
   if (lower[0] == '#' && lower.size() > 1 && is_small(lower[1])) return true;
   if (is_row_of_marks(cell)) return true;
-  return std::any_of(kWords.begin(), kWords.end(), is) ||
-         std::any_of(kBeginnings.begin(), kBeginnings.end(), begins) ||
-         (export_file && (std::any_of(kExportWords.begin(), kExportWords.end(), is) ||
-                          is_printed_nan(lower)));
+  return std::ranges::any_of(kWords, is) || std::ranges::any_of(kBeginnings, begins) ||
+         (export_file &&
+          (std::ranges::any_of(kExportWords, is) || is_printed_nan(lower)));
 }
 
 bool is_beyond(std::string_view cell) {
@@ -162,9 +161,8 @@ bool reads_as_word(std::string_view cell) {
            says_no_value(without_brackets(cell.substr(blank)), false);
   }
   const auto letters =
-      static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_letter_byte));
-  const auto digits =
-      static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_digit));
+      static_cast<std::size_t>(std::ranges::count_if(word, is_letter_byte));
+  const auto digits = static_cast<std::size_t>(std::ranges::count_if(word, is_digit));
   constexpr std::size_t kFewestLetters = 3;
   return letters >= kFewestLetters && letters > digits && !lower.starts_with("inf") &&
          !lower.starts_with("nan") && !is_one_of(lower, kNumberWords);

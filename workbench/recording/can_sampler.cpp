@@ -148,8 +148,8 @@ class Sampler {
     double known = r.t.front();
     for (const CanSeries& s : series_) known = std::max(known, s.t.front());
     const double delay = quietest_phase(series_, r.t.front(), period_) * period_;
-    const auto start = std::find_if(r.t.begin(), r.t.end(),
-                                    [&](double t) { return t + delay >= known; });
+    const auto start =
+        std::ranges::find_if(r.t, [&](double t) { return t + delay >= known; });
     double last = r.t.back();
     for (const CanSeries& s : series_) {
       if (&s == &reference_ || s.column == Column::sp || !s.cyclic()) continue;
@@ -238,7 +238,7 @@ class Sampler {
                           const std::vector<bool>& in_gap) const {
     constexpr double kMostHeld = 0.5;
     const auto judged =
-        count_ - static_cast<std::size_t>(std::count(in_gap.begin(), in_gap.end(), true));
+        count_ - static_cast<std::size_t>(std::ranges::count(in_gap, true));
     if (static_cast<double>(unrefreshed) <= kMostHeld * static_cast<double>(judged)) {
       return;
     }
@@ -271,8 +271,7 @@ class Sampler {
           filled("{0} instants without a new frame of {1}: the value before is held",
                  {std::to_string(unrefreshed), s.title()}));
     }
-    report.missing =
-        static_cast<std::size_t>(std::count(stale.begin(), stale.end(), true));
+    report.missing = static_cast<std::size_t>(std::ranges::count(stale, true));
   }
 
   void describe(ResampleReport& report) const {

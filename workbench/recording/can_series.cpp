@@ -86,9 +86,8 @@ class LogReader {
 
   // A log may have been recorded where the interface has another name.
   void forget_absent_interfaces() {
-    const bool given =
-        std::any_of(series_.begin(), series_.end(),
-                    [](const CanSeries& s) { return !s.interface.empty(); });
+    const bool given = std::ranges::any_of(
+        series_, [](const CanSeries& s) { return !s.interface.empty(); });
     if (!given) return;
     std::set<std::string, std::less<>> found;
     for_lines([&found](std::string_view line, bool) {

@@ -80,7 +80,7 @@ std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers,
                                         bool to_minutes) {
   if (numbers.empty()) return std::nullopt;
   ClockDigits out;
-  const double largest = *std::max_element(numbers.begin(), numbers.end());
+  const double largest = *std::ranges::max_element(numbers);
   if (to_minutes && largest >= kLastHhmm) return std::nullopt;
   const bool dated = largest >= 1e6;
   // Read as MMSS, hours and minutes pass a day in as many seconds as it has minutes.

@@ -81,8 +81,7 @@ class ColumnChooser {
     out_.shape = ColumnChoice::Shape::kLong;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const Part part = candidates_[i].name.part;
-      const bool is_key =
-          std::find(out_.keys.begin(), out_.keys.end(), i) != out_.keys.end();
+      const bool is_key = std::ranges::find(out_.keys, i) != out_.keys.end();
       // 0 in all rows beside other numbers, without a name: a state of theirs.
       const auto code = as_number(columns_[i].first);
       const bool state = layout_.header.empty() && columns_[i].rests() && code &&
@@ -136,12 +135,10 @@ class ColumnChooser {
     }
     const bool seconds = out_.times.empty() || (out_.times[0].seconds_only &&
                                                 out_.times[0].form == TimeForm::kNumber);
-    return seconds &&
-           std::all_of(out_.signals.begin(), out_.signals.end(),
-                       [this](const SignalPlace& s) {
-                         return s.column == Column::t ||
-                                role_of(columns_[s.index].name.text) != kIgnoredColumn;
-                       });
+    return seconds && std::ranges::all_of(out_.signals, [this](const SignalPlace& s) {
+             return s.column == Column::t ||
+                    role_of(columns_[s.index].name.text) != kIgnoredColumn;
+           });
   }
 
   void find_own_times() {
@@ -154,7 +151,7 @@ class ColumnChooser {
     out_.times.clear();
     std::vector<std::size_t> taken;
     for (std::size_t i = 0; i < times->size(); ++i) {
-      const auto known = std::find(taken.begin(), taken.end(), (*times)[i]);
+      const auto known = std::ranges::find(taken, (*times)[i]);
       out_.signals[i].time = static_cast<std::size_t>(known - taken.begin());
       if (known != taken.end()) continue;
       taken.push_back((*times)[i]);
@@ -170,11 +167,10 @@ class ColumnChooser {
   }
 
   [[noreturn]] void refuse_without_time() const {
-    const auto unread =
-        std::find_if(columns_.begin(), columns_.end(), [](const LayoutColumn& column) {
-          return column.name.part == Part::kTime && !column.first.empty() &&
-                 column.content != Content::kNumber && !is_time(column.content);
-        });
+    const auto unread = std::ranges::find_if(columns_, [](const LayoutColumn& column) {
+      return column.name.part == Part::kTime && !column.first.empty() &&
+             column.content != Content::kNumber && !is_time(column.content);
+    });
     if (unread != columns_.end()) {
       throw InputError(file_, layout_.header_line, unread->column,
                        "times in column " + quoted(unread->name.text),

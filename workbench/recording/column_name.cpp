@@ -313,8 +313,8 @@ void take_end(const EndPart& end, const std::string& name,
 ColumnName column_name(std::string_view text) {
   ColumnName out;
   out.text = utf8_of(trimmed(text));
-  std::replace_if(
-      out.text.begin(), out.text.end(), [](char c) { return is_line_end(c); }, ' ');
+  std::ranges::replace_if(
+      out.text, [](char c) { return is_line_end(c); }, ' ');
   std::string name = out.text;
   if (cut_time_unit(name, out.unit)) {
     out.key = out.loop = key_of(name);
@@ -337,7 +337,7 @@ ColumnName column_name(std::string_view text) {
   }
   // PID_Compact and its like call what they control their input.
   if (keys.size() > 1 && keys.back() == "input" &&
-      std::find(keys.begin(), keys.end(), "pid") != keys.end()) {
+      std::ranges::find(keys, "pid") != keys.end()) {
     keys.back() = "pv";
   }
   if (keys.empty()) return out;

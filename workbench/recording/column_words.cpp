@@ -49,7 +49,7 @@ bool is_aim(std::string_view piece) {
   const bool numbered = piece.size() > 3 && piece.ends_with("sp") &&  // t2sp
                         wire::is_digit(piece[piece.size() - 3]);
   return numbered || is_one_of(piece, kAims) ||
-         std::any_of(kAimBeginnings.begin(), kAimBeginnings.end(), begins);
+         std::ranges::any_of(kAimBeginnings, begins);
 }
 
 // AI1, AO: what a card reads and what it puts out.
@@ -99,9 +99,9 @@ Part part_named(std::string_view key) {
 }
 
 Part part_hinted(const std::vector<std::string>& pieces) {
-  if (std::any_of(pieces.begin(), pieces.end(), is_aim)) return Part::kSp;
+  if (std::ranges::any_of(pieces, is_aim)) return Part::kSp;
   // Its speed is what the controller asks of a drive.
-  if (std::find(pieces.begin(), pieces.end(), "vfd") != pieces.end()) return Part::kU;
+  if (std::ranges::find(pieces, "vfd") != pieces.end()) return Part::kU;
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
     if (is_temperature(*piece)) return Part::kY;
     if (const Part card = part_of_card(*piece); card != Part::kNone) return card;

@@ -35,9 +35,8 @@ ColumnChoice chosen(const CsvLayout& layout, const std::string& name,
 }
 
 void note_ignored_time(const CsvLayout& layout, double ts, Recording& out) {
-  const auto t =
-      std::find_if(layout.columns.begin(), layout.columns.end(),
-                   [](const LayoutColumn& c) { return c.name.part == Part::kTime; });
+  const auto t = std::ranges::find_if(
+      layout.columns, [](const LayoutColumn& c) { return c.name.part == Part::kTime; });
   if (t == layout.columns.end()) return;
   out.resampling.notes.push_back("column " + quoted(t->name.text) +
                                  " ignored: the sample period is given as " + number(ts) +

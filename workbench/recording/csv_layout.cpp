@@ -43,8 +43,8 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
 
 bool holds_contract_names(const std::vector<LineCell>& cells,
                           const std::vector<Column>& required) {
-  return std::all_of(required.begin(), required.end(), [&cells](Column column) {
-    return std::any_of(cells.begin(), cells.end(), [column](const LineCell& cell) {
+  return std::ranges::all_of(required, [&cells](Column column) {
+    return std::ranges::any_of(cells, [column](const LineCell& cell) {
       return role_of(cell.text) == static_cast<int>(column);
     });
   });
@@ -175,12 +175,12 @@ class LayoutFinder {
       std::size_t row = 1;
       if (lines_.size() > 1) {
         const std::vector<LineCell> next = split_line(lines_[1].text, separator);
-        const bool all_units =
-            next.size() == cells.size() && is_unit_row(next) &&
-            std::all_of(next.begin(), next.end(), [](const LineCell& cell) {
-              return cell.text.empty() || kind_of(cell.text) == CellKind::kText ||
-                     is_unit(cell.text);
-            });
+        const bool all_units = next.size() == cells.size() && is_unit_row(next) &&
+                               std::ranges::all_of(next, [](const LineCell& cell) {
+                                 return cell.text.empty() ||
+                                        kind_of(cell.text) == CellKind::kText ||
+                                        is_unit(cell.text);
+                               });
         if (all_units) {
           take_units(next, out_);
           row = 2;
@@ -246,22 +246,19 @@ class LayoutFinder {
   void cut_names(const LineTable& table) {
     const std::size_t names = out_.columns.size();
     const std::size_t cells = table.width();
-    const bool unit =
-        std::any_of(out_.columns.begin(), out_.columns.end(), [](const LayoutColumn& c) {
-          return c.name.part == Part::kNone && is_unit(c.name.text);
-        });
+    const bool unit = std::ranges::any_of(out_.columns, [](const LayoutColumn& c) {
+      return c.name.part == Part::kNone && is_unit(c.name.text);
+    });
     if (names <= cells || cells < 2 || unit || table.separator() == kBlanks ||
         !table.even()) {
       return;
     }
     const std::span<const LayoutColumn> cut = std::span(out_.columns).subspan(cells);
-    const bool wanted = std::any_of(cut.begin(), cut.end(), [](const LayoutColumn& c) {
-      return c.name.part != Part::kNone;
-    });
+    const bool wanted = std::ranges::any_of(
+        cut, [](const LayoutColumn& c) { return c.name.part != Part::kNone; });
     if (wanted) return;
-    const bool named = std::any_of(cut.begin(), cut.end(), [](const LayoutColumn& c) {
-      return !c.name.text.empty();
-    });
+    const bool named = std::ranges::any_of(
+        cut, [](const LayoutColumn& c) { return !c.name.text.empty(); });
     out_.columns.resize(cells);
     if (!named) return;
     out_.notes.push_back("the header has " + std::to_string(names) + " names, each row " +
@@ -375,8 +372,8 @@ class LayoutFinder {
 }  // namespace
 
 std::optional<std::size_t> counter_of(const CsvLayout& layout) {
-  const auto found = std::find_if(layout.columns.begin(), layout.columns.end(),
-                                  [](const LayoutColumn& c) { return c.counts; });
+  const auto found = std::ranges::find_if(layout.columns,
+                                          [](const LayoutColumn& c) { return c.counts; });
   if (found == layout.columns.end()) return std::nullopt;
   return static_cast<std::size_t>(found - layout.columns.begin());
 }

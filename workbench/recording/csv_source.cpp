@@ -17,7 +17,7 @@ LayoutWish wish_of(const CsvOptions& options) {
 }
 
 std::size_t want(std::vector<std::size_t>& wanted, std::size_t column) {
-  const auto known = std::find(wanted.begin(), wanted.end(), column);
+  const auto known = std::ranges::find(wanted, column);
   if (known != wanted.end()) return static_cast<std::size_t>(known - wanted.begin());
   wanted.push_back(column);
   return wanted.size() - 1;

@@ -26,8 +26,7 @@ constexpr double kLoggerTickS = 1e-3;  // loggers count seconds in these
 constexpr double kDayTicks = 1e4;      // ten digits of a day are 10 µs
 
 bool all_within(const std::vector<double>& values, double low, double high) {
-  return std::all_of(values.begin(), values.end(),
-                     [=](double v) { return v >= low && v < high; });
+  return std::ranges::all_of(values, [=](double v) { return v >= low && v < high; });
 }
 
 bool all_between(const std::vector<double>& values, const DateCount& count, double first,

@@ -20,7 +20,7 @@ std::string_view whole_digits(std::string_view cell) {
   const std::string_view behind =
       mark == std::string_view::npos ? "" : cell.substr(mark + 1);
   const bool zeros = behind.find_first_not_of('0') == std::string_view::npos;
-  return zeros && std::all_of(whole.begin(), whole.end(), is_digit) ? whole : "";
+  return zeros && std::ranges::all_of(whole, is_digit) ? whole : "";
 }
 
 }  // namespace

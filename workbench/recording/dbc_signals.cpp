@@ -48,8 +48,8 @@ std::string missing_dbc_signals(const std::string& dbc_path,
     const auto meant = [column](const NamedSignal& signal) {
       return signal.name.part == part_of(column);
     };
-    if (std::count_if(signals.begin(), signals.end(), meant) != 1) continue;
-    const auto one = std::find_if(signals.begin(), signals.end(), meant);
+    if (std::ranges::count_if(signals, meant) != 1) continue;
+    const auto one = std::ranges::find_if(signals, meant);
     options += (options.empty() ? "" : " ") + option + ' ' + one->name.text;
   }
   if (!read) return "--dbc needs " + needed;

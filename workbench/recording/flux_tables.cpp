@@ -52,8 +52,8 @@ std::vector<std::size_t> FluxTables::keys() const {
   for (std::size_t k = 0; k < texts_.size(); ++k) {
     if (!moving_.contains(k)) order.push_back(k);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [this](std::size_t a, std::size_t b) { return merit(a) > merit(b); });
+  std::ranges::stable_sort(
+      order, [this](std::size_t a, std::size_t b) { return merit(a) > merit(b); });
   const std::size_t most = told_apart(order);
   std::vector<std::size_t> chosen;
   for (std::size_t k : order) {

@@ -122,8 +122,8 @@ bool has_repeated_names(const std::vector<LineCell>& cells) {
   for (const LineCell& cell : cells) {
     if (!cell.text.empty()) names.push_back(cell.text);
   }
-  std::sort(names.begin(), names.end());
-  return std::adjacent_find(names.begin(), names.end()) != names.end();
+  std::ranges::sort(names);
+  return std::ranges::adjacent_find(names) != names.end();
 }
 
 std::optional<std::size_t> line_of_tags(const LineTable& table, std::size_t header,
@@ -139,8 +139,8 @@ std::optional<std::size_t> line_of_tags(const LineTable& table, std::size_t head
 void put_names_above(const std::vector<LineCell>& above,
                      const std::vector<LineCell>& cells,
                      std::vector<LayoutColumn>& columns) {
-  const auto filled = std::count_if(above.begin(), above.end(),
-                                    [](const LineCell& c) { return !c.text.empty(); });
+  const auto filled =
+      std::ranges::count_if(above, [](const LineCell& c) { return !c.text.empty(); });
   if (filled < 2) return;  // a title
   std::map<std::string_view, std::size_t> count;
   for (const LineCell& cell : cells) ++count[cell.text];

@@ -14,8 +14,8 @@ using namespace std::string_view_literals;
 
 // 211, 211a: of a loop, and perhaps one of several alike.
 bool is_number(std::string_view text) {
-  const auto digits = static_cast<std::size_t>(
-      std::find_if_not(text.begin(), text.end(), is_digit) - text.begin());
+  const auto digits =
+      static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
   return digits >= 2 && text.size() <= digits + 1;
 }
 
@@ -72,7 +72,7 @@ bool is_instrument(std::string_view letters, std::size_t digits) {
 }
 
 std::string_view digits_in_front(std::string_view text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+  const auto end = std::ranges::find_if_not(text, is_digit);
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
@@ -92,7 +92,7 @@ Instrument instrument_at(std::span<const std::string> pieces, std::size_t at) {
   std::string_view text = pieces[at];
   const std::string_view unit = digits_in_front(text);
   text.remove_prefix(unit.size());
-  const auto letters_end = std::find_if(text.begin(), text.end(), is_digit);
+  const auto letters_end = std::ranges::find_if(text, is_digit);
   const std::string_view letters =
       text.substr(0, static_cast<std::size_t>(letters_end - text.begin()));
   std::string_view number = text.substr(letters.size());
@@ -127,7 +127,7 @@ std::optional<InstrumentTag> instrument_tag(const std::vector<std::string>& piec
     number = letters;
     letters = pieces[--piece];
   } else {
-    const auto end = std::find_if(letters.begin(), letters.end(), is_digit);
+    const auto end = std::ranges::find_if(letters, is_digit);
     number.assign(end, letters.end());
     letters.erase(end, letters.end());
   }

@@ -27,9 +27,8 @@ std::string cell_of(const Json& value) {
   if (value.is_null()) return "";
   if (!value.is_string()) return value.dump();
   std::string text = value.get<std::string>();
-  std::replace_if(
-      text.begin(), text.end(),
-      [](char c) { return c == '\t' || c == '\n' || c == '\r' || c == '"'; }, ' ');
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\t' || c == '\n' || c == '\r' || c == '"'; }, ' ');
   return text;
 }
 
@@ -106,8 +105,8 @@ class Rows {
 };
 
 bool all_of_kind(const Json& values, bool (Json::*is)() const noexcept) {
-  return !values.empty() && std::all_of(values.begin(), values.end(),
-                                        [is](const Json& v) { return (v.*is)(); });
+  return !values.empty() &&
+         std::ranges::all_of(values, [is](const Json& v) { return (v.*is)(); });
 }
 
 std::vector<std::string> names_in(const Json& table) {
@@ -150,10 +149,9 @@ std::vector<std::string> telling_labels(const std::vector<Json>& labels) {
   for (const Json& of_one : labels) {
     for (const auto& [label, value] : of_one.items()) {
       if (label == "__name__" || !known.try_emplace(label, true).second) continue;
-      const bool same =
-          std::all_of(labels.begin(), labels.end(), [&label, &value](const Json& other) {
-            return other.contains(label) && other[label] == value;
-          });
+      const bool same = std::ranges::all_of(labels, [&label, &value](const Json& other) {
+        return other.contains(label) && other[label] == value;
+      });
       if (!same) out.push_back(label);
     }
   }
@@ -198,8 +196,8 @@ bool add_series(const Json& series, const char* rows, const char* name, Rows& ou
   const Json metric = labels.empty() ? Json() : metric_of(labels.front());
   const bool one_metric =
       !metric.is_null() && !is_signal(column_name(cell_of(metric)).part) &&
-      std::all_of(labels.begin(), labels.end(),
-                  [&](const Json& of) { return metric_of(of) == metric; });
+      std::ranges::all_of(labels,
+                          [&](const Json& of) { return metric_of(of) == metric; });
   for (std::size_t i = 0; i < series.size(); ++i) {
     std::vector<std::string> names = names_in(series[i]);
     if (names.empty()) names = {"time", "value"};
@@ -233,7 +231,7 @@ constexpr StateKeys kOfSocket = {"s", {"lu", "lu"}};
 const char* time_of_states(const Json& states, const StateKeys& keys) {
   if (!states.is_array()) return nullptr;
   for (const char* time : keys.times) {
-    const bool all = std::all_of(states.begin(), states.end(), [&](const Json& one) {
+    const bool all = std::ranges::all_of(states, [&](const Json& one) {
       return one.is_object() && one.contains(keys.state) && one.contains(time) &&
              one[time].is_primitive() && one[keys.state].is_primitive();
     });
@@ -263,7 +261,7 @@ void add_states(const Json& states, const std::string& entity, const StateKeys& 
 bool add_home_assistant(const Json& root, Rows& out) {
   if (root.empty() || !root.is_structured()) return false;
   const StateKeys& keys = root.is_array() ? kOfService : kOfSocket;
-  const bool fits = std::all_of(root.begin(), root.end(), [&](const Json& states) {
+  const bool fits = std::ranges::all_of(root, [&](const Json& states) {
     const bool named =
         root.is_object() || states.empty() ||
         (states.is_array() && states.front().is_object() &&
@@ -283,7 +281,7 @@ bool add_home_assistant(const Json& root, Rows& out) {
 bool add_keys(const Json& root, Rows& out) {
   if (!root.is_object() || !all_of_kind(root, &Json::is_array)) return false;
   for (const Json& samples : root) {
-    const bool fits = std::all_of(samples.begin(), samples.end(), [](const Json& one) {
+    const bool fits = std::ranges::all_of(samples, [](const Json& one) {
       return one.is_object() && one.contains("ts") && one.contains("value") &&
              one["ts"].is_primitive() && one["value"].is_primitive();
     });

@@ -36,7 +36,7 @@ std::optional<double> common_number(std::string_view cells, char separator) {
     if (!cell.empty() && cell != first) return std::nullopt;
     at = end + 1;
   }
-  std::replace(first.begin(), first.end(), ',', '.');
+  std::ranges::replace(first, ',', '.');
   return as_number(first);
 }
 
@@ -61,7 +61,7 @@ std::optional<std::string> with_times(std::string_view text) {
     const std::string_view line = text.substr(at, end - at);
     if (line[0] == separator) {
       std::string time = number(*start + row++ * *step, 12);
-      if (comma) std::replace(time.begin(), time.end(), '.', ',');
+      if (comma) std::ranges::replace(time, '.', ',');
       out += time;
     }
     out += line;
@@ -137,10 +137,10 @@ class Segments {
   void add_row(std::string_view line) {
     const std::size_t end = std::min(line.find(separator_), line.size());
     std::string cell(trimmed(line.substr(0, end)));
-    std::replace(cell.begin(), cell.end(), ',', '.');
+    std::ranges::replace(cell, ',', '.');
     constexpr int kDigits = 12;
     if (const auto x = as_number(cell)) cell = number(*x + offset_s_, kDigits);
-    if (comma_) std::replace(cell.begin(), cell.end(), '.', ',');
+    if (comma_) std::ranges::replace(cell, '.', ',');
     out_ += cell;
     out_ += line.substr(end);
   }

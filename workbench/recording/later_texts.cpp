@@ -38,7 +38,7 @@ bool numbers_page(std::string_view line) {
        {"page ", "seite ", "pagina ", "p\xC3\xA1gina ", "strona ", "sida ", "side "}) {
     if (!lower.starts_with(word)) continue;
     const std::string_view rest = std::string_view(lower).substr(word.size());
-    const auto letters = std::count_if(rest.begin(), rest.end(), is_small);
+    const auto letters = std::ranges::count_if(rest, is_small);
     return !rest.empty() && is_digit(rest[0]) && letters <= 3 &&  // of, von, sur
            rest.find_first_of(",;:\t|.") == std::string_view::npos;
   }

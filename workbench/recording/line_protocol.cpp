@@ -62,8 +62,7 @@ std::optional<Point> point_of(std::string_view line) {
   std::string_view fields = take_up_to(' ', true, rest);
   Point out;
   out.stamp = trimmed(rest);
-  if (out.stamp.size() < kFewestDigits ||
-      !std::all_of(out.stamp.begin(), out.stamp.end(), is_digit)) {
+  if (out.stamp.size() < kFewestDigits || !std::ranges::all_of(out.stamp, is_digit)) {
     return std::nullopt;
   }
   out.series = plain(take_up_to(',', false, key));

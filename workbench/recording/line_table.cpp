@@ -166,8 +166,7 @@ bool LineTable::even() const {
 
 bool LineTable::is_text(std::size_t line) const {
   const std::vector<CellKind>& kinds = kinds_[line];
-  return std::any_of(kinds.begin(), kinds.end(),
-                     [](CellKind k) { return k == CellKind::kText; });
+  return std::ranges::any_of(kinds, [](CellKind k) { return k == CellKind::kText; });
 }
 
 // The commonest count of cells in the later three quarters of the lines.
@@ -299,7 +298,7 @@ bool LineTable::is_row(std::size_t line) const {
     if (of_times && kinds[c] == CellKind::kText) return false;
     numbers = numbers || (contents_[c] == Content::kNumber && is_value(kinds[c]));
   }
-  const bool timed = std::any_of(contents_.begin(), contents_.end(), [](Content c) {
+  const bool timed = std::ranges::any_of(contents_, [](Content c) {
     return c == Content::kDateTime || c == Content::kDate || c == Content::kClock;
   });
   return timed ? has_times : numbers;

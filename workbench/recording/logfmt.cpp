@@ -38,8 +38,7 @@ std::string_view name_in(std::string_view word) {
   const std::size_t end = word.find('=');
   if (end == std::string_view::npos || end == 0 || is_digit(word[0])) return {};
   const std::string_view name = word.substr(0, end);
-  return std::all_of(name.begin(), name.end(), may_be_in_name) ? name
-                                                               : std::string_view();
+  return std::ranges::all_of(name, may_be_in_name) ? name : std::string_view();
 }
 
 // "2026-03-04T06:00:01Z", "2026-03-04 06:00:01", in brackets, too; "": none leads.

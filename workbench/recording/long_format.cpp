@@ -70,14 +70,14 @@ class LongFinder {
   template <class Condition>
   [[nodiscard]] std::optional<std::size_t> first(Condition fits, bool measured) const {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const bool time = std::find(times_.begin(), times_.end(), i) != times_.end();
+      const bool time = std::ranges::find(times_, i) != times_.end();
       if (!time && fits(columns_[i]) && (!measured || is_measured(columns_[i]))) return i;
     }
     return std::nullopt;
   }
 
   [[nodiscard]] bool has_output() const {
-    return std::any_of(columns_.begin(), columns_.end(), [](const LayoutColumn& c) {
+    return std::ranges::any_of(columns_, [](const LayoutColumn& c) {
       return c.name.part == Part::kU || c.name.part == Part::kMv;
     });
   }
@@ -160,7 +160,7 @@ class LongFinder {
     const auto only = first(numbers, true);
     if (!only) return std::nullopt;
     for (std::size_t i = *only + 1; i < columns_.size(); ++i) {
-      const bool time = std::find(times_.begin(), times_.end(), i) != times_.end();
+      const bool time = std::ranges::find(times_, i) != times_.end();
       if (!time && numbers(columns_[i]) && is_measured(columns_[i])) return std::nullopt;
     }
     return only;

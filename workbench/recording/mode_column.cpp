@@ -54,7 +54,7 @@ std::vector<double> resting_codes(std::span<const double> codes,
   constexpr std::size_t kMostCodes = 32;
   std::vector<double> known;
   for (const double code : codes) {
-    if (std::find(known.begin(), known.end(), code) != known.end()) continue;
+    if (std::ranges::find(known, code) != known.end()) continue;
     if (known.size() == kMostCodes) return {};  // this is no mode
     known.push_back(code);
   }
@@ -105,9 +105,8 @@ std::vector<SampleRange> manual_stretches(std::span<const double> codes,
                                           std::string_view name) {
   if (u.size() != codes.size()) return {};
   std::vector<double> manual = {kManual};
-  const bool words = std::any_of(codes.begin(), codes.end(), [](double code) {
-    return code == kAutomatic || code == kManual;
-  });
+  const bool words = std::ranges::any_of(
+      codes, [](double code) { return code == kAutomatic || code == kManual; });
   if (!words) {
     Pieces tag;
     const Says says = said_by(column_name(name).pieces, tag);
@@ -117,7 +116,7 @@ std::vector<SampleRange> manual_stretches(std::span<const double> codes,
   }
   std::vector<SampleRange> out;
   for (std::size_t k = 0; k < codes.size(); ++k) {
-    if (std::find(manual.begin(), manual.end(), codes[k]) == manual.end()) continue;
+    if (std::ranges::find(manual, codes[k]) == manual.end()) continue;
     if (!out.empty() && out.back().last == k) {
       ++out.back().last;
     } else {

@@ -26,7 +26,7 @@ std::string_view take_line(std::string_view& text) {
 
 std::size_t NamedRows::column_of(std::string_view name) {
   if (likely_ < names_.size() && names_[likely_] == name) return likely_;
-  const auto found = std::find(names_.begin(), names_.end(), name);
+  const auto found = std::ranges::find(names_, name);
   const auto column = static_cast<std::size_t>(found - names_.begin());
   if (found == names_.end()) {
     full_ = full_ || names_.size() >= kMostNames;

@@ -27,7 +27,7 @@ std::optional<Indices> named_times(const std::vector<LayoutColumn>& columns,
                                    const Indices& times, const Indices& signals) {
   Indices out;
   for (const std::size_t signal : signals) {
-    const auto found = std::find_if(times.begin(), times.end(), [&](std::size_t time) {
+    const auto found = std::ranges::find_if(times, [&](std::size_t time) {
       const std::string& of = columns[time].name.tag;
       return !of.empty() && of == columns[signal].name.key;
     });
@@ -57,7 +57,7 @@ std::optional<std::vector<std::size_t>> own_times(const CsvLayout& layout,
   if (times.size() > 1) {
     if (auto named = named_times(columns, times, signals)) return named;
   }
-  const std::size_t first = *std::min_element(signals.begin(), signals.end());
+  const std::size_t first = *std::ranges::min_element(signals);
   Indices out;
   if (before.size() > 1 && before.front() < first) {
     for (const std::size_t signal : signals) {

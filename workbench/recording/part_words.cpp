@@ -183,7 +183,7 @@ std::vector<PartWord> sorted_words() {
       rest.remove_prefix(std::min(length + 1, rest.size()));
     }
   }
-  std::sort(out.begin(), out.end(), by_word);
+  std::ranges::sort(out, by_word);
   return out;
 }
 

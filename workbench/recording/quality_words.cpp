@@ -67,8 +67,8 @@ constexpr std::array kYes = {"true"sv, "yes"sv,  "ja"sv,  "oui"sv, "si"sv,
 
 bool begins_with_one(std::string_view word,
                      std::span<const std::string_view> beginnings) {
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [word](std::string_view b) { return word.starts_with(b); });
+  return std::ranges::any_of(beginnings,
+                             [word](std::string_view b) { return word.starts_with(b); });
 }
 
 bool ends_in_quality(std::string_view plain) {
@@ -148,7 +148,7 @@ bool is_quality_code(double number) {
   constexpr double kLastOfIgnition = 1023;
   constexpr double kOpcUaUncertain = 1073741824;
   if (number != std::floor(number)) return false;
-  return std::find(kCodes.begin(), kCodes.end(), number) != kCodes.end() ||
+  return std::ranges::find(kCodes, number) != kCodes.end() ||
          (number >= 256 && number <= kLastOfIgnition && std::fmod(number, 10) == 0) ||
          std::abs(number) >= kOpcUaUncertain;
 }

@@ -33,10 +33,9 @@ double last_digit(const std::vector<double>& values) {
 // Steps that are alike to a thousandth and no half seconds of a day, as of a fast
 // sampler.
 bool are_alike_in_seconds(const std::vector<double>& values, double step) {
-  const bool alike =
-      std::adjacent_find(values.begin(), values.end(), [step](double a, double b) {
-        return std::abs(b - a - step) > kRounding * step;
-      }) == values.end();
+  const bool alike = std::ranges::adjacent_find(values, [step](double a, double b) {
+                       return std::abs(b - a - step) > kRounding * step;
+                     }) == values.end();
   const double halves = 2 * step * kDayS;
   return alike && std::abs(halves - std::round(halves)) > kRounding * halves;
 }

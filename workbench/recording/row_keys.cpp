@@ -123,7 +123,7 @@ std::vector<std::size_t> row_keys(const CsvLayout& layout,
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto is_among = [i](const std::vector<std::size_t>& some) {
-      return std::find(some.begin(), some.end(), i) != some.end();
+      return std::ranges::find(some, i) != some.end();
     };
     if (is_among(given) || is_among(times) || !may_be_key(columns[i], rows)) continue;
     const Splitting splitting(group, columns[i].same_as, stamps);
@@ -135,9 +135,9 @@ std::vector<std::size_t> row_keys(const CsvLayout& layout,
   const auto names_a_part = [&columns](std::size_t key) {
     return is_one_of(columns[key].name.key, kParts);
   };
-  std::sort(keys.begin(), keys.end());
-  std::stable_partition(keys.begin(), keys.end(),
-                        [&](std::size_t key) { return !names_a_part(key); });
+  std::ranges::sort(keys);
+  std::ranges::stable_partition(keys,
+                                [&](std::size_t key) { return !names_a_part(key); });
   return keys;
 }
 

@@ -23,8 +23,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 bool is_required(const SignalRows& signal, const TableContext& context) {
   return signal.column != Column::t &&
-         std::find(context.required.begin(), context.required.end(), signal.column) !=
-             context.required.end();
+         std::ranges::find(context.required, signal.column) != context.required.end();
 }
 
 std::string named(const SignalRows& signal) {
@@ -33,8 +32,8 @@ std::string named(const SignalRows& signal) {
 }
 
 std::size_t first_value(const SignalRows& signal) {
-  const auto known = std::find_if(signal.values.begin(), signal.values.end(),
-                                  [](double v) { return !std::isnan(v); });
+  const auto known =
+      std::ranges::find_if(signal.values, [](double v) { return !std::isnan(v); });
   return static_cast<std::size_t>(known - signal.values.begin());
 }
 
@@ -69,10 +68,10 @@ void hold_mode(std::vector<double>& codes) {
 }  // namespace
 
 void turn(RowTable& table) {
-  std::reverse(table.line.begin(), table.line.end());
+  std::ranges::reverse(table.line);
   for (SignalRows& signal : table.signals) {
-    std::reverse(signal.values.begin(), signal.values.end());
-    std::reverse(signal.quality.begin(), signal.quality.end());
+    std::ranges::reverse(signal.values);
+    std::ranges::reverse(signal.quality);
   }
 }
 
@@ -97,9 +96,8 @@ void refuse_fractions(std::span<const SignalRows> signals,
 }
 
 void refuse_doubtful(std::span<const SignalRows> signals, bool points_group) {
-  const bool settled =
-      std::any_of(signals.begin(), signals.end(),
-                  [](const SignalRows& signal) { return signal.marks.settled(); });
+  const bool settled = std::ranges::any_of(
+      signals, [](const SignalRows& signal) { return signal.marks.settled(); });
   for (const SignalRows& signal : signals) {
     const double most = kMostStrangers * static_cast<double>(signal.values.size());
     if (static_cast<double>(signal.strangers.total()) > most) {
@@ -247,9 +245,8 @@ struct HeldCells {
 HeldCells hold_empty(RowTable& table) {
   HeldCells out;
   for (SignalRows& signal : table.signals) {
-    const auto gaps =
-        static_cast<std::size_t>(std::count_if(signal.values.begin(), signal.values.end(),
-                                               [](double v) { return std::isnan(v); }));
+    const auto gaps = static_cast<std::size_t>(
+        std::ranges::count_if(signal.values, [](double v) { return std::isnan(v); }));
     out.empty += gaps;
     if (gaps == 0) continue;
     out.bad += std::min(signal.bad, gaps);

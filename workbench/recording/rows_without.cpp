@@ -51,9 +51,9 @@ void take_out_rows_without(RowTable& table, ResampleReport& report) {
   std::vector<char> without(table.t.size(), 0);
   for (const SignalRows& signal : table.signals) {
     if (signal.column != Column::u && signal.column != Column::y) continue;
-    const auto before = std::count(without.begin(), without.end(), 1);
+    const auto before = std::ranges::count(without, 1);
     const std::size_t stretches = mark_stretches(table.t, signal.values, without);
-    const auto rows = std::count(without.begin(), without.end(), 1) - before;
+    const auto rows = std::ranges::count(without, 1) - before;
     if (rows == 0) continue;
     report.notes.push_back(
         counted(static_cast<std::size_t>(rows), "row", "rows") + " in " +
@@ -62,7 +62,7 @@ void take_out_rows_without(RowTable& table, ResampleReport& report) {
         (signal.bad > 0 ? " (" + quoted(signal.bad_word) + ")" : std::string()) +
         ": taken as missing");
   }
-  if (std::count(without.begin(), without.end(), 1) == 0) return;
+  if (std::ranges::count(without, 1) == 0) return;
   take_out(table.t, without);
   take_out(table.line, without);
   for (SignalRows& signal : table.signals) take_out(signal.values, without);

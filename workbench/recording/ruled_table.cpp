@@ -106,9 +106,8 @@ std::optional<std::string> fixed_width_text(std::string_view text) {
     return std::nullopt;
   }
   const std::vector<std::string_view> lines = lines_of(text);
-  const bool is_short = std::any_of(lines.begin(), lines.end(), [=](std::string_view l) {
-    return !is_blank(l) && words_in(l) < columns;
-  });
+  const bool is_short = std::ranges::any_of(
+      lines, [=](std::string_view l) { return !is_blank(l) && words_in(l) < columns; });
   const bool tabs = text.find('\t') != std::string_view::npos;
   if (!is_short || tabs) return std::nullopt;
   const std::vector<std::size_t> stretches = stretches_of(lines);

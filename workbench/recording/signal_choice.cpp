@@ -72,8 +72,8 @@ class Chooser {
     return picked_[static_cast<std::size_t>(column)];
   }
   [[nodiscard]] bool is_picked(std::size_t index) const {
-    return std::any_of(picked_.begin(), picked_.end(),
-                       [index](const auto& other) { return other == index; });
+    return std::ranges::any_of(picked_,
+                               [index](const auto& other) { return other == index; });
   }
 
   [[nodiscard]] std::vector<Column> missing() const {
@@ -122,9 +122,8 @@ class Chooser {
     for (const bool by_loop : {false, true}) {
       std::vector<Loop> fitting;
       for (Loop& loop : loops(by_loop)) {
-        const bool has_all = std::all_of(wanted.begin(), wanted.end(), [&loop](Column c) {
-          return loop.has(part_of(c));
-        });
+        const bool has_all = std::ranges::all_of(
+            wanted, [&loop](Column c) { return loop.has(part_of(c)); });
         if (has_all) fitting.push_back(std::move(loop));
       }
       prefer(fitting);
@@ -169,7 +168,7 @@ class Chooser {
   void prefer(std::vector<Loop>& fitting) const {
     const auto keep = [&fitting](auto condition) {
       std::vector<Loop> kept;
-      std::copy_if(fitting.begin(), fitting.end(), std::back_inserter(kept), condition);
+      std::ranges::copy_if(fitting, std::back_inserter(kept), condition);
       if (!kept.empty()) fitting = std::move(kept);
     };
     std::vector<std::string> named_tags;
@@ -180,8 +179,7 @@ class Chooser {
       return candidates_[loop.parts.begin()->second.front()].name;
     };
     keep([&](const Loop& loop) {
-      return std::find(named_tags.begin(), named_tags.end(), name_of_one(loop).tag) !=
-             named_tags.end();
+      return std::ranges::find(named_tags, name_of_one(loop).tag) != named_tags.end();
     });
     keep([](const Loop& loop) { return loop.has(Part::kU) && loop.has(Part::kY); });
     keep([&](const Loop& loop) { return !name_of_one(loop).by_letters; });
@@ -193,10 +191,11 @@ class Chooser {
     for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
       const auto found = loop.parts.find(part_of(column));
       if (found == loop.parts.end() || picked(column)) continue;
-      const bool needed = std::find(wanted.begin(), wanted.end(), column) != wanted.end();
+      const bool needed = std::ranges::find(wanted, column) != wanted.end();
       Indices best;
-      std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(best),
-                   [this](std::size_t i) { return is_first_rank(candidates_[i].name); });
+      std::ranges::copy_if(
+          found->second, std::back_inserter(best),
+          [this](std::size_t i) { return is_first_rank(candidates_[i].name); });
       if (best.empty()) best = found->second;
       if (best.size() > 1) leave_out_extremes(best);
       if (best.size() > 1) prefer_plain(best);
@@ -211,8 +210,9 @@ class Chooser {
   // PV (Min) and PV (Max), where another one is left.
   void leave_out_extremes(Indices& best) const {
     Indices others;
-    std::copy_if(best.begin(), best.end(), std::back_inserter(others),
-                 [this](std::size_t i) { return !is_extreme(candidates_[i].name); });
+    std::ranges::copy_if(best, std::back_inserter(others), [this](std::size_t i) {
+      return !is_extreme(candidates_[i].name);
+    });
     if (!others.empty()) best = std::move(others);
   }
 
@@ -220,8 +220,8 @@ class Chooser {
   void prefer_plain(Indices& best) const {
     std::vector<std::size_t> lengths;
     for (const std::size_t i : best) lengths.push_back(candidates_[i].name.words_cut);
-    const std::size_t fewest = *std::min_element(lengths.begin(), lengths.end());
-    if (std::count(lengths.begin(), lengths.end(), fewest) != 1) return;
+    const std::size_t fewest = *std::ranges::min_element(lengths);
+    if (std::ranges::count(lengths, fewest) != 1) return;
     std::erase_if(best,
                   [&](std::size_t i) { return candidates_[i].name.words_cut != fewest; });
   }
@@ -244,17 +244,16 @@ class Chooser {
   }
 
   [[nodiscard]] bool is_load(std::size_t index) const {
-    return std::any_of(
-        names_.loads.begin(), names_.loads.end(), [&](const std::string& name) {
-          return name != "all" &&
-                 candidate_named(name, "--load", candidates_, context_) == index;
-        });
+    return std::ranges::any_of(names_.loads, [&](const std::string& name) {
+      return name != "all" &&
+             candidate_named(name, "--load", candidates_, context_) == index;
+    });
   }
 
   void add_loads(std::vector<PickedSignal>& out) const {
     const auto taken = [&out](std::size_t index) {
-      return std::any_of(out.begin(), out.end(),
-                         [index](const PickedSignal& s) { return s.index == index; });
+      return std::ranges::any_of(
+          out, [index](const PickedSignal& s) { return s.index == index; });
     };
     for (const std::string& name : names_.loads) {
       if (name == "all") {
@@ -269,7 +268,7 @@ class Chooser {
       }
       const std::size_t index = candidate_named(name, "--load", candidates_, context_);
       // A model names its loads in full beside what the user calls them.
-      const bool is_load = std::any_of(out.begin(), out.end(), [index](const auto& s) {
+      const bool is_load = std::ranges::any_of(out, [index](const auto& s) {
         return s.index == index && s.column == Column::t;
       });
       if (is_load) continue;
@@ -327,8 +326,8 @@ class Chooser {
     // Columns that no loop has at all; where there are none, the pair is torn apart.
     std::vector<Column> absent;
     for (const Column column : wanted) {
-      const bool somewhere = std::any_of(
-          candidates_.begin(), candidates_.end(), [column](const NamedSignal& c) {
+      const bool somewhere =
+          std::ranges::any_of(candidates_, [column](const NamedSignal& c) {
             return c.name.part == part_of(column) ||
                    (c.name.part == Part::kMv && column != Column::y);
           });

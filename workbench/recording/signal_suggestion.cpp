@@ -74,7 +74,7 @@ class Suggester {
     take_din_letters(wanted, out);
     take_positioner(wanted, out);
     for (const bool nameless_too : {false, true}) {
-      const auto open = std::count(out.begin(), out.end(), candidates_.size());
+      const auto open = std::ranges::count(out, candidates_.size());
       if (nameless_too && nameless() != static_cast<std::size_t>(open)) break;
       for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (out[i] == candidates_.size())
@@ -90,9 +90,9 @@ class Suggester {
   // 19226, where y of the contract is the measured value.
   void take_din_letters(const std::vector<Column>& wanted, Indices& out) const {
     const auto named = [this](std::string_view key) {
-      const auto found = std::find_if(
-          candidates_.begin(), candidates_.end(),
-          [key](const NamedSignal& c) { return c.measured && c.name.key == key; });
+      const auto found = std::ranges::find_if(candidates_, [key](const NamedSignal& c) {
+        return c.measured && c.name.key == key;
+      });
       return static_cast<std::size_t>(found - candidates_.begin());
     };
     const std::size_t x = named("x");
@@ -177,8 +177,8 @@ class Suggester {
   // Input and Output, of the process or of its controller.
   [[nodiscard]] bool input_is_open() const {
     const auto named = [this](std::string_view key) {
-      return std::any_of(candidates_.begin(), candidates_.end(),
-                         [key](const NamedSignal& c) { return c.name.key == key; });
+      return std::ranges::any_of(
+          candidates_, [key](const NamedSignal& c) { return c.name.key == key; });
     };
     return named("input") && named("output") && !has(Part::kY);
   }
@@ -196,8 +196,8 @@ class Suggester {
   }
 
   [[nodiscard]] bool has(Part part) const {
-    return std::any_of(candidates_.begin(), candidates_.end(),
-                       [part](const NamedSignal& c) { return c.name.part == part; });
+    return std::ranges::any_of(
+        candidates_, [part](const NamedSignal& c) { return c.name.part == part; });
   }
 
   // None: the number of columns.
@@ -207,7 +207,7 @@ class Suggester {
       std::size_t best = candidates_.size();
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const NamedSignal& candidate = candidates_[i];
-        const bool free = std::find(used.begin(), used.end(), i) == used.end();
+        const bool free = std::ranges::find(used, i) == used.end();
         const Part meant = hint_of(candidate.name);
         const bool other = meant != Part::kNone && meant != part_of(column);
         const bool said = part != Part::kNone || meant != Part::kNone ||
@@ -320,7 +320,7 @@ bool is_only_cv(const std::vector<NamedSignal>& candidates, const Indices& of) {
 
 std::vector<NamedSignal> with_block_inputs(std::vector<NamedSignal> candidates) {
   const auto has = [&candidates](Part part, const std::string& tag) {
-    return std::any_of(candidates.begin(), candidates.end(), [&](const NamedSignal& c) {
+    return std::ranges::any_of(candidates, [&](const NamedSignal& c) {
       return c.name.part == part && c.name.tag == tag;
     });
   };
@@ -332,9 +332,9 @@ std::vector<NamedSignal> with_block_inputs(std::vector<NamedSignal> candidates) 
     }
     const std::string tag =
         name.key.substr(0, name.key.size() - name.pieces.back().size());
-    const bool output = std::any_of(
-        candidates.begin(), candidates.end(),
-        [&tag](const NamedSignal& c) { return c.name.key == tag + "output"; });
+    const bool output = std::ranges::any_of(candidates, [&tag](const NamedSignal& c) {
+      return c.name.key == tag + "output";
+    });
     if (!output || !has(Part::kSp, tag) || has(Part::kY, tag)) continue;
     name.part = Part::kY;
     name.tag = tag;
@@ -365,8 +365,8 @@ std::vector<PickedSignal> only_signals(const std::vector<NamedSignal>& candidate
       wanted.size() == 2 && wanted[0] == Column::u && wanted[1] == Column::y;
   if (!pair) return {};
   const auto count = [&candidates](Part part) {
-    return std::count_if(candidates.begin(), candidates.end(),
-                         [part](const NamedSignal& c) { return c.name.part == part; });
+    return std::ranges::count_if(
+        candidates, [part](const NamedSignal& c) { return c.name.part == part; });
   };
   const Part output = count(Part::kU) > 0 ? Part::kU : Part::kMv;
   const bool one_output =

@@ -38,9 +38,8 @@ class StreamGrid {
 
  private:
   [[nodiscard]] bool same_times() const {
-    return std::all_of(streams_.begin(), streams_.end(), [this](const Stream& stream) {
-      return stream.t == streams_[0].t;
-    });
+    return std::ranges::all_of(
+        streams_, [this](const Stream& stream) { return stream.t == streams_[0].t; });
   }
 
   void leave_out_late() {
@@ -65,8 +64,7 @@ class StreamGrid {
   [[nodiscard]] bool is_required(const Stream& stream) const {
     const std::vector<Column>& required = context_.required;
     return stream.signal.column != Column::t &&
-           std::find(required.begin(), required.end(), stream.signal.column) !=
-               required.end();
+           std::ranges::find(required, stream.signal.column) != required.end();
   }
 
   // Whether how often and how long it was recorded counts for all: what is required does;
@@ -148,8 +146,7 @@ class StreamGrid {
       stream.signal.values = std::move(values);
       table.signals.push_back(std::move(stream.signal));
     }
-    const auto missing =
-        static_cast<std::size_t>(std::count(own.begin(), own.end(), false));
+    const auto missing = static_cast<std::size_t>(std::ranges::count(own, false));
     report_.missing += missing;
     on_grid_ = true;
     report_.notes.push_back(names + " have times of their own: put on one grid every " +

@@ -30,8 +30,7 @@ std::vector<Run> runs_of(const std::vector<double>& t) {
 }
 
 bool overlap(std::vector<Run> runs) {
-  std::sort(runs.begin(), runs.end(),
-            [](const Run& a, const Run& b) { return a.first < b.first; });
+  std::ranges::sort(runs, [](const Run& a, const Run& b) { return a.first < b.first; });
   for (std::size_t i = 1; i < runs.size(); ++i) {
     if (runs[i].first < runs[i - 1].last) return true;
   }
@@ -73,7 +72,7 @@ std::size_t copies_in(const Stream& stream) {
 }
 
 void note_once(const char* note, ResampleReport& report) {
-  if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end()) {
+  if (std::ranges::find(report.notes, note) == report.notes.end()) {
     report.notes.emplace_back(note);
   }
 }
@@ -85,7 +84,7 @@ void put_in_order(Stream& stream, const TimesOfRows& times, const std::string& f
   const std::vector<double>& t = stream.t;
   const auto rows = static_cast<double>(t.size());
   const auto back = static_cast<std::size_t>(
-      std::adjacent_find(t.begin(), t.end(), std::greater<>()) - t.begin());
+      std::ranges::adjacent_find(t, std::greater<>()) - t.begin());
   if (back == t.size()) return;
   const std::vector<Run> runs = runs_of(t);
   const double before = t[back];

@@ -34,7 +34,7 @@ std::optional<std::size_t> only_numbers(const CsvLayout& layout,
   std::vector<std::size_t> found;
   const std::vector<std::size_t> parts = time_parts(layout);
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-    if (std::find(parts.begin(), parts.end(), i) != parts.end()) continue;
+    if (std::ranges::find(parts, i) != parts.end()) continue;
     const LayoutColumn& column = layout.columns[i];
     const Part part = column.name.part;
     if (is_signal(part) && column.content == Content::kText) return std::nullopt;
@@ -215,7 +215,7 @@ std::optional<TagFile> tag_file(std::string_view bytes, const std::string& path,
 
 bool are_tag_files(const std::vector<std::string>& paths, const CsvOptions& options) {
   return paths.size() > 1 &&
-         std::all_of(paths.begin(), paths.end(), [&options](const std::string& path) {
+         std::ranges::all_of(paths, [&options](const std::string& path) {
            try {
              return tag_file(read_text_file(path, kMostBytes), path, options).has_value();
            } catch (const InputError&) {
@@ -245,7 +245,7 @@ std::vector<std::string> files_in(const std::string& name) {
     out.push_back(name.substr(from, at - from));
   }
   out.push_back(name.substr(from));
-  const bool files = std::all_of(out.begin(), out.end(), [](const std::string& one) {
+  const bool files = std::ranges::all_of(out, [](const std::string& one) {
     return std::filesystem::path(one).has_extension();
   });
   return files ? out : std::vector<std::string>{name};

@@ -58,7 +58,7 @@ void add_tags(std::string_view key, const ColumnChoice& choice, const CsvLayout&
 void sort(Stream& stream) {
   std::vector<std::size_t> order(stream.t.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&stream](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(order, [&stream](std::size_t a, std::size_t b) {
     return stream.t[a] < stream.t[b];
   });
   permute(stream.t, order);

@@ -110,7 +110,7 @@ class StreamReader {
       check_stop(source_.options.stop);
       const std::string_view key = tag_of(rows, keys, tag);
       const bool is_empty =
-          key.empty() && std::all_of(values.begin(), values.end(), [&](const auto& v) {
+          key.empty() && std::ranges::all_of(values, [&](const auto& v) {
             return rows.cell(v.value).empty();
           });
       if (is_empty) {
@@ -197,9 +197,8 @@ class StreamReader {
   }
 
   void refuse_doubt() const {
-    const bool settled =
-        std::any_of(streams_.begin(), streams_.end(),
-                    [](const Stream& stream) { return stream.signal.marks.settled(); });
+    const bool settled = std::ranges::any_of(
+        streams_, [](const Stream& stream) { return stream.signal.marks.settled(); });
     for (const Stream& stream : streams_) {
       refuse_doubtful({&stream.signal, 1}, source_.layout.points_may_group() && !settled);
     }
@@ -311,9 +310,9 @@ class StreamReader {
     refuse_strange_zone(times, stream);
     TimeOrder order = put_in_order(times);
     if (order.turned) {
-      std::reverse(stream.line.begin(), stream.line.end());
-      std::reverse(stream.signal.values.begin(), stream.signal.values.end());
-      std::reverse(stream.signal.quality.begin(), stream.signal.quality.end());
+      std::ranges::reverse(stream.line);
+      std::ranges::reverse(stream.signal.values);
+      std::ranges::reverse(stream.signal.quality);
     }
     double shift = 0;
     if (has_origin_) {

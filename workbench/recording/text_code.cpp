@@ -34,8 +34,8 @@ bool is_utf8(std::string_view text) {
 }
 
 bool has_high(std::string_view text) {
-  return std::any_of(text.begin(), text.end(),
-                     [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  return std::ranges::any_of(
+      text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
 }
 
 // What `code` makes of the bytes; what it does not know becomes U+FFFD, or, in a `strict`

@@ -155,10 +155,9 @@ bool is_binary(std::string_view text) {
   constexpr std::ptrdiff_t kFewest = 4;
   constexpr std::ptrdiff_t kSeldom = 50;  // one in so many
   const std::string_view head = text.substr(0, kHead);
-  const std::ptrdiff_t zeros = std::count(head.begin(), head.end(), '\0');
-  const std::ptrdiff_t others = std::count_if(head.begin(), head.end(), [](char c) {
-    return (c > '\0' && c < '\t') || (c > '\r' && c < '\x1A');
-  });
+  const std::ptrdiff_t zeros = std::ranges::count(head, '\0');
+  const std::ptrdiff_t others = std::ranges::count_if(
+      head, [](char c) { return (c > '\0' && c < '\t') || (c > '\r' && c < '\x1A'); });
   const auto length = static_cast<std::ptrdiff_t>(head.size());
   return (zeros >= kFewest || (others >= kFewest && kSeldom * others > length)) &&
          guessed_utf16(text) == Utf16::kNo && !head.starts_with("\xFF\xFE") &&

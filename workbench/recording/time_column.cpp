@@ -28,7 +28,7 @@ double tidy(double seconds) {
 // Days written with few digits, or so meant: all within 20 ms of whole seconds.
 void round_to_seconds(std::vector<double>& t, double& origin) {
   constexpr double kFewDigits = 0.02;
-  const bool whole = std::all_of(t.begin(), t.end(), [origin](double v) {
+  const bool whole = std::ranges::all_of(t, [origin](double v) {
     return std::abs(v + origin - std::round(v + origin)) < kFewDigits;
   });
   if (!whole) return;
@@ -104,8 +104,8 @@ void TimeColumn::take_zone(const WrittenTime& time) {
 
 bool TimeColumn::settle() {
   if (most_digits_ == 0) return true;
-  const bool passes_days = std::adjacent_find(days_.begin(), days_.end(),
-                                              std::not_equal_to<>()) != days_.end();
+  const bool passes_days =
+      std::ranges::adjacent_find(days_, std::not_equal_to<>()) != days_.end();
   std::optional<DayTimes> of_day = times_of_day(seconds_, most_digits_, passes_days);
   if (!of_day) return false;
   note_ = "the numbers beside the dates are taken as times of day, " + of_day->form;
@@ -222,7 +222,7 @@ void TimeColumn::take_numbers(TimesOfRows& out) {
 bool TimeColumn::minutes_and_seconds(TimesOfRows& out) const {
   if (!short_clocks_) return false;
   if (unit_given_ && (unit_s_ == 1 || unit_s_ == 60)) return unit_s_ == 1;
-  if (decimals_ || *std::max_element(seconds_.begin(), seconds_.end()) > kDayS) {
+  if (decimals_ || *std::ranges::max_element(seconds_) > kDayS) {
     out.notes.emplace_back("the times are taken as minutes and seconds");
     return true;
   }
@@ -230,8 +230,7 @@ bool TimeColumn::minutes_and_seconds(TimesOfRows& out) const {
     out.doubt = doubt_of_clock("time elapsed in two numbers, min:s or h:min");
     return false;
   }
-  const bool repeat =
-      std::adjacent_find(seconds_.begin(), seconds_.end()) != seconds_.end();
+  const bool repeat = std::ranges::adjacent_find(seconds_) != seconds_.end();
   if (!repeat) {
     out.notes.emplace_back(
         "the times are taken as hours and minutes; where they are minutes and seconds, "

@@ -83,12 +83,12 @@ std::vector<DateOrder> TimeColumn::orders() const {
     if (reads(order)) left.push_back(order);
   }
   std::vector<DateOrder> running;
-  std::copy_if(left.begin(), left.end(), std::back_inserter(running),
-               [this](DateOrder order) { return runs_on(order); });
+  std::ranges::copy_if(left, std::back_inserter(running),
+                       [this](DateOrder order) { return runs_on(order); });
   if (!running.empty()) left = std::move(running);
   std::vector<DateOrder> continuous;
-  std::copy_if(left.begin(), left.end(), std::back_inserter(continuous),
-               [this](DateOrder order) { return longest_step_s(order) < kDayS; });
+  std::ranges::copy_if(left, std::back_inserter(continuous),
+                       [this](DateOrder order) { return longest_step_s(order) < kDayS; });
   if (!continuous.empty()) left = std::move(continuous);
   const auto same_days = [this](DateOrder a, DateOrder b) {
     for (std::size_t i = 0; i < days_.size(); ++i) {

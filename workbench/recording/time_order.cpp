@@ -106,7 +106,7 @@ TimeOrder put_in_order(TimesOfRows& times) {
   // One step against many is a change of daylight saving time.
   const bool local = times.dated && !times.zoned;
   if (falling >= 2 && (rising == 0 || (local && rising * 100 < falling))) {
-    std::reverse(t.begin(), t.end());
+    std::ranges::reverse(t);
     order.turned = true;
     order.notes.emplace_back("the newest row came first: turned");
   }

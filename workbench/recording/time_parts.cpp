@@ -51,7 +51,7 @@ bool is_named(const LayoutColumn& column, TimePart part) {
 bool are_named(const std::vector<LayoutColumn>& columns, std::size_t first,
                std::initializer_list<TimePart> parts) {
   if (first + parts.size() > columns.size()) return false;
-  return std::all_of(parts.begin(), parts.end(), [&columns, &first](TimePart part) {
+  return std::ranges::all_of(parts, [&columns, &first](TimePart part) {
     return is_named(columns[first++], part);
   });
 }
@@ -63,9 +63,8 @@ std::vector<std::size_t> date_among(const std::vector<LayoutColumn>& columns,
   constexpr auto kMonth = TimePart::kMonth;
   constexpr auto kDay = TimePart::kDay;
   for (std::size_t i = 0; i + kClockParts <= columns.size(); ++i) {
-    const bool overlap = std::any_of(clock.begin(), clock.end(), [i](std::size_t c) {
-      return c >= i && c < i + kClockParts;
-    });
+    const bool overlap = std::ranges::any_of(
+        clock, [i](std::size_t c) { return c >= i && c < i + kClockParts; });
     if (overlap) continue;
     if (are_named(columns, i, {kYear, kMonth, kDay})) return {i, i + 1, i + 2};
     if (are_named(columns, i, {kDay, kMonth, kYear})) return {i + 2, i + 1, i};
@@ -90,7 +89,7 @@ bool stands_for_least(const std::vector<LayoutColumn>& columns, std::size_t at) 
     return column.name.pieces.empty() ? "" : folded(column.name.pieces.back());
   };
   return last_piece(columns[at]) == "min" &&
-         std::any_of(columns.begin(), columns.end(), [&](const LayoutColumn& column) {
+         std::ranges::any_of(columns, [&](const LayoutColumn& column) {
            const std::string word = last_piece(column);
            return word == "max" || word == "maximum" || word == "mean" || word == "avg";
          });

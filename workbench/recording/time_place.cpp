@@ -20,7 +20,7 @@ constexpr double kMostOfADay = 0.9;  // of the rows say the same date
 bool counts_since_1970(const LayoutColumn& column) {
   const std::string_view whole =
       std::string_view(column.first).substr(0, column.first.find_first_of(".,"));
-  const bool digits = std::all_of(whole.begin(), whole.end(), wire::is_digit);
+  const bool digits = std::ranges::all_of(whole, wire::is_digit);
   return column.content == Content::kNumber && !column.rests() && digits &&
          whole.starts_with('1') && (whole.size() == 10 || whole.size() == 13);
 }
@@ -33,7 +33,7 @@ bool is_midnight(const LayoutColumn& column) {
 }
 
 bool counts_whole(std::string_view cell) {
-  return !cell.empty() && std::all_of(cell.begin(), cell.end(), wire::is_digit);
+  return !cell.empty() && std::ranges::all_of(cell, wire::is_digit);
 }
 
 // The same number in most rows, and one that is written as dates are.
@@ -92,7 +92,7 @@ std::optional<TimePlace> TimeFinder::find() const {
 
 std::optional<std::size_t> TimeFinder::column() const {
   const auto first = [this](auto condition) -> std::optional<std::size_t> {
-    const auto found = std::find_if(columns_.begin(), columns_.end(), condition);
+    const auto found = std::ranges::find_if(columns_, condition);
     if (found == columns_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - columns_.begin());
   };
@@ -148,7 +148,7 @@ std::optional<TimePlace> TimeFinder::of_parts() const {
   place.form = parts_have_date(parts_.size()) ? TimeForm::kDate : TimeForm::kClock;
   std::optional<std::size_t> date;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (std::find(parts_.begin(), parts_.end(), i) != parts_.end()) continue;
+    if (std::ranges::find(parts_, i) != parts_.end()) continue;
     if (is_whole_time(columns_[i])) return std::nullopt;
     if (!date && is_day(columns_[i])) date = i;
   }
@@ -189,7 +189,7 @@ TimePlace TimeFinder::named() const {
     const std::optional<TimePlace> parts = of_parts();
     if (parts) {
       const std::vector<std::size_t> all = columns_of(*parts);
-      if (std::find(all.begin(), all.end(), index) != all.end()) return *parts;
+      if (std::ranges::find(all, index) != all.end()) return *parts;
     }
   }
   TimePlace place = at(index);

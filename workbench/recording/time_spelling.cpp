@@ -146,9 +146,8 @@ std::optional<std::string> clock_of_units(std::string_view text, std::size_t few
                                                 count, std::chars_format::fixed);
     if (status != std::errc{} || !is_digit(text[0])) return std::nullopt;
     text = trimmed(text.substr(static_cast<std::size_t>(stop - text.data())));
-    const auto* const unit =
-        std::find_if(kUnits.begin(), kUnits.end(),
-                     [text](const auto& u) { return text.starts_with(u.first); });
+    const auto* const unit = std::ranges::find_if(
+        kUnits, [text](const auto& u) { return text.starts_with(u.first); });
     if (unit == kUnits.end() || unit->second >= before) return std::nullopt;
     seconds += count * unit->second;
     before = unit->second;
@@ -212,8 +211,7 @@ std::optional<std::string> plain_time(std::string_view cell) {
   constexpr std::size_t kLongest = 64;
   if (cell.size() > kLongest) return std::nullopt;
   if (auto known = literal(cell)) return known;
-  const bool may_be =
-      cell.size() >= 6 && std::count_if(cell.begin(), cell.end(), is_digit) >= 3;
+  const bool may_be = cell.size() >= 6 && std::ranges::count_if(cell, is_digit) >= 3;
   if (!may_be) return std::nullopt;
   std::string text(cell);
   mark_era(text);

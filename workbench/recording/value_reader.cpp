@@ -170,9 +170,10 @@ void ValueReader::scale_to_unit(const RowScanner& row, std::size_t slot,
     if (std::abs(value) >= kThousand) throw InputError(error);
     return;
   }
-  const bool fits = signal.scaled.thousands() > 0 ||
-                    std::all_of(signal.values.begin(), signal.values.end(),
-                                [](double v) { return !(std::abs(v) >= kThousand); });
+  const bool fits =
+      signal.scaled.thousands() > 0 || std::ranges::all_of(signal.values, [](double v) {
+        return !(std::abs(v) >= kThousand);
+      });
   if (!says_thousand(unit) || !fits || !signal.scaled.add_thousand(value)) {
     throw InputError(error);
   }

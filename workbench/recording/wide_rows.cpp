@@ -102,8 +102,8 @@ class WideReader {
   // Instants with a value of u or y alone are more than those with both, for either.
   [[nodiscard]] bool have_own_rows() const {
     const auto of = [this](Column column) {
-      const auto found = std::find_if(
-          table_.signals.begin(), table_.signals.end(),
+      const auto found = std::ranges::find_if(
+          table_.signals,
           [column](const SignalRows& signal) { return signal.column == column; });
       return found == table_.signals.end() ? nullptr : &*found;
     };

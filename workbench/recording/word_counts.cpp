@@ -9,8 +9,8 @@ namespace workbench {
 
 void WordCounts::add(std::string_view word) {
   ++total_;
-  const auto known = std::find_if(words_.begin(), words_.end(),
-                                  [word](const auto& w) { return w.first == word; });
+  const auto known =
+      std::ranges::find_if(words_, [word](const auto& w) { return w.first == word; });
   if (known != words_.end()) {
     ++known->second;
   } else if (words_.size() < kMostWords) {

@@ -40,7 +40,7 @@ class ZoneText {
       out_.open = open_zone(lower_case(word));
       return true;
     }
-    const bool capitals = std::all_of(word.begin(), word.end(), is_capital);
+    const bool capitals = std::ranges::all_of(word, is_capital);
     const bool is_short = word.size() >= 3 && word.size() <= 5 && capitals;
     const std::size_t slash = word.find('/');
     const bool region =
