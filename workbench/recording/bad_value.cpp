@@ -1,7 +1,6 @@
 #include "workbench/recording/bad_value.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -16,79 +15,34 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
 constexpr double kGoodCode = 192;  // OPC Data Access
 constexpr double kUncertainCode = 64;
 constexpr double kOpcUaBad = 2147483648.0;  // severity bits of OPC UA
 constexpr double kOpcUaUncertain = 1073741824.0;
 
-constexpr std::array kWords = {"null"sv,
-                               "<null>"sv,
-                               "none"sv,
-                               "nil"sv,
-                               "n/a"sv,
-                               "n.a."sv,
-                               "nodata"sv,
-                               "void"sv,
-                               "invalid"sv,
-                               "missing"sv,
-                               "unknown"sv,
-                               "unavailable"sv,
-                               "shutdown"sv,
-                               "off-line"sv,
-                               "offline"sv,
-                               "off-scan"sv,
-                               "off scan"sv,
-                               "oos"sv,
-                               "err"sv,
-                               "schlecht"sv,
-                               "fehler"sv,
-                               "fehlend"sv,
-                               "keine daten"sv,
-                               "kein wert"sv,
-                               "ol"sv,
-                               "+ol"sv,
-                               "-ol"sv,
-                               "ung\xC3\xBCltig"sv,
-                               "ung\xFCltig"sv,
-                               "ungueltig"sv,
-                               "gest\xC3\xB6rt"sv,
-                               "gest\xF6rt"sv,
-                               "gestoert"sv,
-                               "na"sv,
-                               "nd"sv,
-                               "n.d."sv,
-                               "n/d"sv,
-                               "n.c."sv,
-                               "s/d"sv,
-                               "\\n"sv,
-                               "<na>"sv,
-                               "<gated>"sv,
-                               "(null)"sv,
-                               "@@@@"sv};
+constexpr std::string_view kWords =
+    "null|<null>|none|nil|n/a|n.a.|nodata|void|invalid|missing|unknown|unavailable|"
+    "shutdown|off-line|offline|off-scan|off scan|oos|err|schlecht|fehler|fehlend|"
+    "keine daten|kein wert|ol|+ol|-ol|ung\xC3\xBCltig|ung\xFCltig|ungueltig|"
+    "gest\xC3\xB6rt|gest\xF6rt|gestoert|na|nd|n.d.|n/d|n.c.|s/d|\\n|<na>|<gated>|(null)|"
+    "@@@@";
 
-constexpr std::array kBeginnings = {
-    "bad"sv,           "no data"sv,       "no good"sv,    "no result"sv,   "no value"sv,
-    "no sample"sv,     "i/o timeout"sv,   "io timeout"sv, "timeout"sv,     "timed out"sv,
-    "digital state"sv, "digital set"sv,   "pt created"sv, "scan "sv,       "comm"sv,
-    "out of serv"sv,   "not connect"sv,   "not avail"sv,  "not collect"sv, "configure"sv,
-    "calc "sv,         "over range"sv,    "overrange"sv,  "under range"sv, "underrange"sv,
-    "intf"sv,          "equip"sv,         "failed"sv,     "error"sv,       "arc "sv,
-    "set to bad"sv,    "access denied"sv, "resize to"sv,  "no_data"sv,     "<bad"sv,
-    "<no"sv,           "trace off"sv,     "doubtful"sv};
+constexpr std::string_view kBeginnings =
+    "bad|no data|no good|no result|no value|no sample|i/o timeout|io timeout|timeout|"
+    "timed out|digital state|digital set|pt created|scan |comm|out of serv|not connect|"
+    "not avail|not collect|configure|calc |over range|overrange|under range|underrange|"
+    "intf|equip|failed|error|arc |set to bad|access denied|resize to|no_data|<bad|<no|"
+    "trace off|doubtful";
 
-constexpr std::array kExportWords = {"nan"sv, "-nan"sv, "+nan"sv, "nan(ind)"sv,
-                                     "-"sv,   "*"sv,    "?"sv,    "."sv};
+constexpr std::string_view kExportWords = "nan|-nan|+nan|nan(ind)|-|*|?|.";
 
 // As Microsoft's printf writes them, with as many zeros behind as it has decimals.
-constexpr std::array kPrintedNan = {"1.#qnan"sv, "1.#snan"sv, "1.#ind"sv, "1.#nan"sv};
+constexpr std::string_view kPrintedNan = "1.#qnan|1.#snan|1.#ind|1.#nan";
 constexpr std::string_view kPrintedInfinity = "1.#inf";
 
 // What may stand for 1 and 0.
-constexpr std::array kNumberWords = {"true"sv,   "false"sv, "yes"sv,    "ein"sv,
-                                     "aus"sv,    "wahr"sv,  "falsch"sv, "open"sv,
-                                     "closed"sv, "auf"sv,   "zu"sv};
+constexpr std::string_view kNumberWords =
+    "true|false|yes|ein|aus|wahr|falsch|open|closed|auf|zu";
 
 constexpr std::size_t kLongest = 48;
 
@@ -104,7 +58,7 @@ bool is_printed(std::string_view word, std::string_view as) {
 }
 
 bool is_printed_nan(std::string_view lower) {
-  return std::ranges::any_of(kPrintedNan, [&lower](std::string_view as) {
+  return any_word(kPrintedNan, [&lower](std::string_view as) {
     return is_printed(without_sign(lower), as);
   });
 }
@@ -132,13 +86,10 @@ bool says_no_value(std::string_view cell, bool export_file) {
     return false;
   }
   const std::string lower = lower_case(cell.substr(0, kLongest));
-  const auto is = [&lower](std::string_view word) { return lower == word; };
-  const auto begins = [&lower](std::string_view word) { return lower.starts_with(word); };
   if (lower[0] == '#' && lower.size() > 1 && is_small(lower[1])) return true;
   if (is_row_of_marks(cell)) return true;
-  return std::ranges::any_of(kWords, is) || std::ranges::any_of(kBeginnings, begins) ||
-         (export_file &&
-          (std::ranges::any_of(kExportWords, is) || is_printed_nan(lower)));
+  return is_one_of(lower, kWords) || begins_with_one_of(lower, kBeginnings) ||
+         (export_file && (is_one_of(lower, kExportWords) || is_printed_nan(lower)));
 }
 
 bool is_beyond(std::string_view cell) {

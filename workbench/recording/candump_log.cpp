@@ -3,7 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "config/dbc_storage.hpp"
 #include "wire/dbc.hpp"

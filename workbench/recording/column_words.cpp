@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/folded.hpp"
@@ -13,8 +12,6 @@
 
 namespace workbench {
 namespace {
-
-using namespace std::string_view_literals;
 
 struct PartWord {
   std::string_view key;
@@ -39,17 +36,14 @@ constexpr std::array kHints = std::to_array<PartWord>({
 });
 
 // Words of what is wanted, and of what it lacks: neither u nor y.
-constexpr std::array kAims = {"sp"sv,  "set"sv,  "ref"sv,  "aim"sv, "dev"sv,
-                              "err"sv, "goal"sv, "soll"sv, "stpt"sv};
-constexpr std::array kAimBeginnings = {"setp"sv,  "target"sv,    "desired"sv,  "sollw"sv,
-                                       "error"sv, "deviation"sv, "reference"sv};
+constexpr std::string_view kAims = "sp|set|ref|aim|dev|err|goal|soll|stpt";
+constexpr std::string_view kAimBeginnings =
+    "setp|target|desired|sollw|error|deviation|reference";
 
 bool is_aim(std::string_view piece) {
-  const auto begins = [piece](std::string_view word) { return piece.starts_with(word); };
   const bool numbered = piece.size() > 3 && piece.ends_with("sp") &&  // t2sp
                         wire::is_digit(piece[piece.size() - 3]);
-  return numbered || is_one_of(piece, kAims) ||
-         std::ranges::any_of(kAimBeginnings, begins);
+  return numbered || is_one_of(piece, kAims) || begins_with_one_of(piece, kAimBeginnings);
 }
 
 // AI1, AO: what a card reads and what it puts out.
@@ -65,30 +59,17 @@ bool is_temperature(std::string_view piece) {
 }
 
 // Pieces behind the name that only say "the value of it".
-constexpr std::array kValueWords = {
-    "value"sv,   "val"sv,  "cv"sv,           "valuey"sv,        "wert"sv,         "avg"sv,
-    "average"sv, "mean"sv, "mittelwert"sv,   "readvalue"sv,     "presentvalue"sv, "fcv"sv,
-    "current"sv, "raw"sv,  "interpolated"sv, "interpolation"sv, "trend"sv};
+constexpr std::string_view kValueWords =
+    "value|val|cv|valuey|wert|avg|average|mean|mittelwert|readvalue|presentvalue|fcv|"
+    "current|raw|interpolated|interpolation|trend";
 
-constexpr std::array kUnits = {
-    "%"sv,       "s"sv,           "sec"sv,    "ms"sv,     "min"sv,     "h"sv,
-    "seconds"sv, "sek"sv,         "m3/h"sv,   "m³/h"sv,   "m^3/h"sv,   "m3/min"sv,
-    "m3/s"sv,    "nm3/h"sv,       "nm³/h"sv,  "sm3/h"sv,  "l/h"sv,     "l/min"sv,
-    "l/s"sv,     "kg/h"sv,        "kg/s"sv,   "kg/min"sv, "t/h"sv,     "gpm"sv,
-    "usgpm"sv,   "gal/min"sv,     "scfm"sv,   "scfh"sv,   "cfm"sv,     "lb/h"sv,
-    "lb/hr"sv,   "lb/min"sv,      "klb/h"sv,  "bbl/d"sv,  "bpd"sv,     "mmscfd"sv,
-    "°c"sv,      "degc"sv,        "deg c"sv,  "c"sv,      "grad c"sv,  "°f"sv,
-    "degf"sv,    "deg f"sv,       "f"sv,      "k"sv,      "bar"sv,     "mbar"sv,
-    "barg"sv,    "bara"sv,        "bar(g)"sv, "pa"sv,     "hpa"sv,     "kpa"sv,
-    "mpa"sv,     "psi"sv,         "psig"sv,   "psia"sv,   "inh2o"sv,   "mmh2o"sv,
-    "inhg"sv,    "kg/cm2"sv,      "mmhg"sv,   "m"sv,      "mm"sv,      "cm"sv,
-    "in"sv,      "ft"sv,          "a"sv,      "ma"sv,     "v"sv,       "mv"sv,
-    "w"sv,       "kw"sv,          "mw"sv,     "hz"sv,     "rpm"sv,     "1/min"sv,
-    "u/min"sv,   "ph"sv,          "ppm"sv,    "us/cm"sv,  "m/s"sv,     "n"sv,
-    "kn"sv,      "none"sv,        "-"sv,      "pct"sv,    "percent"sv, "prozent"sv,
-    "eu"sv,      "no engunits"sv, "kj/kg"sv,  "kg/m3"sv,  "l"sv,       "m3"sv,
-    "kg"sv,      "t"sv,           "nl/min"sv, "unit"sv,   "units"sv,   "einheit"sv,
-    "engunits"sv};
+constexpr std::string_view kUnits =
+    "%|s|sec|ms|min|h|seconds|sek|m3/h|m³/h|m^3/h|m3/min|m3/s|nm3/h|nm³/h|sm3/h|l/h|"
+    "l/min|l/s|kg/h|kg/s|kg/min|t/h|gpm|usgpm|gal/min|scfm|scfh|cfm|lb/h|lb/hr|lb/min|"
+    "klb/h|bbl/d|bpd|mmscfd|°c|degc|deg c|c|grad c|°f|degf|deg f|f|k|bar|mbar|barg|bara|"
+    "bar(g)|pa|hpa|kpa|mpa|psi|psig|psia|inh2o|mmh2o|inhg|kg/cm2|mmhg|m|mm|cm|in|ft|a|"
+    "ma|v|mv|w|kw|mw|hz|rpm|1/min|u/min|ph|ppm|us/cm|m/s|n|kn|none|-|pct|percent|"
+    "prozent|eu|no engunits|kj/kg|kg/m3|l|m3|kg|t|nl/min|unit|units|einheit|engunits";
 
 }  // namespace
 

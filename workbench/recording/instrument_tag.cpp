@@ -1,7 +1,6 @@
 #include "workbench/recording/instrument_tag.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -9,8 +8,6 @@
 
 namespace workbench {
 namespace {
-
-using namespace std::string_view_literals;
 
 // 211, 211a: of a loop, and perhaps one of several alike.
 bool is_number(std::string_view text) {
@@ -31,16 +28,11 @@ Part part_of_letters(std::string_view letters) {
 }
 
 // Blocks and devices that every loop may have.
-constexpr std::array kRoles = {
-    "pid"sv,        "pida"sv,        "pidb"sv,      "pidl"sv,       "pidconl"sv,
-    "pidconr"sv,    "daca"sv,        "dacb"sv,      "dataacq"sv,    "dataacqa"sv,
-    "regctl"sv,     "regctla"sv,     "ai"sv,        "ao"sv,         "ain"sv,
-    "aout"sv,       "di"sv,          "do"sv,        "in"sv,         "ctl"sv,
-    "ctrl"sv,       "ctr"sv,         "con"sv,       "control"sv,    "contr"sv,
-    "controller"sv, "regler"sv,      "regulator"sv, "loop"sv,       "regelkreis"sv,
-    "measure"sv,    "measurement"sv, "messung"sv,   "sensor"sv,     "transmitter"sv,
-    "valve"sv,      "ventil"sv,      "actuator"sv,  "positioner"sv, "process"sv,
-    "plant"sv,      "mon"sv,         "monanl"sv,    "block"sv,      "faceplate"sv};
+constexpr std::string_view kRoles =
+    "pid|pida|pidb|pidl|pidconl|pidconr|daca|dacb|dataacq|dataacqa|regctl|regctla|ai|ao|"
+    "ain|aout|di|do|in|ctl|ctrl|ctr|con|control|contr|controller|regler|regulator|loop|"
+    "regelkreis|measure|measurement|messung|sensor|transmitter|valve|ventil|actuator|"
+    "positioner|process|plant|mon|monanl|block|faceplate";
 
 bool is_role(std::string_view piece) {
   return is_one_of(piece, kRoles) || is_signal(part_named(piece));
@@ -48,9 +40,9 @@ bool is_role(std::string_view piece) {
 
 // Servers and stations whose names look like those of instruments.
 bool is_station(std::string_view letters) {
-  constexpr std::array kStations = {"plc"sv, "dcs"sv, "srv"sv, "svc"sv};
-  return std::ranges::any_of(
-      kStations, [letters](std::string_view s) { return letters.ends_with(s); });
+  constexpr std::string_view kStations = "plc|dcs|srv|svc";
+  return any_word(kStations,
+                  [letters](std::string_view s) { return letters.ends_with(s); });
 }
 
 // FIC, PDIC, LT, FCV: a variable, what modifies it, and what is done with it (ISA-5.1).

@@ -1,8 +1,6 @@
 #include "workbench/recording/long_format.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/column_words.hpp"
@@ -13,24 +11,19 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
 // Names of columns that hold numbers in place of tags.
-constexpr std::array kNumbersOfTags = {"tagid"sv,  "tagindex"sv, "tagno"sv,
-                                       "itemid"sv, "pointid"sv,  "sensorid"sv,
-                                       "nodeid"sv, "valueid"sv};
+constexpr std::string_view kNumbersOfTags =
+    "tagid|tagindex|tagno|itemid|pointid|sensorid|nodeid|valueid";
 
 // Where a table has a column for values of each type.
-constexpr std::array kFractions = {"floatvalue"sv, "doublevalue"sv};
-constexpr std::array kWholes = {"intvalue"sv, "longvalue"sv, "integervalue"sv};
+constexpr std::string_view kFractions = "floatvalue|doublevalue";
+constexpr std::string_view kWholes = "intvalue|longvalue|integervalue";
 
-constexpr std::array kUnits = {
-    "unit"sv,     "units"sv, "uom"sv,      "engunit"sv,
-    "engunits"sv, "eu"sv,    "unitname"sv, "engineeringunits"sv,
-    "einheit"sv,  "unite"sv, "unidad"sv,   "unita"sv};
+constexpr std::string_view kUnits =
+    "unit|units|uom|engunit|engunits|eu|unitname|engineeringunits|einheit|unite|unidad|"
+    "unita";
 
-constexpr std::array kParameters = {"parameter"sv, "param"sv, "attribute"sv,
-                                    "property"sv};
+constexpr std::string_view kParameters = "parameter|param|attribute|property";
 
 class LongFinder {
  public:
@@ -174,8 +167,7 @@ class LongFinder {
 }  // namespace
 
 bool is_measured(const LayoutColumn& column) {
-  constexpr std::array kCounters = {"id"sv,  "index"sv, "nr"sv,     "no"sv,
-                                    "row"sv, "zeile"sv, "rownum"sv, "sequence"sv};
+  constexpr std::string_view kCounters = "id|index|nr|no|row|zeile|rownum|sequence";
   return (column.content == Content::kNumber || column.content == Content::kNothing) &&
          !is_one_of(column.name.key, kCounters);
 }

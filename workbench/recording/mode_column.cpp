@@ -1,7 +1,6 @@
 #include "workbench/recording/mode_column.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "workbench/recording/cell_number.hpp"
@@ -11,21 +10,17 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
 using Pieces = std::vector<std::string>;
 
-constexpr std::array kModeWords = {"mode"sv,       "modus"sv,       "md"sv,
-                                   "amode"sv,      "betriebsart"sv, "automan"sv,
-                                   "automanual"sv, "am"sv};
-constexpr std::array kAutoWords = {"auto"sv, "automatic"sv, "automatik"sv};
-constexpr std::array kManualWords = {"man"sv, "manual"sv, "hand"sv};
-constexpr std::array kSaidBehind = {"actual"sv, "act"sv, "ist"sv, "cv"sv, "value"sv};
-constexpr std::array kAutomaticModes = {
-    "a"sv,   "aut"sv,  "auto"sv,    "automatic"sv, "automatik"sv, "cas"sv,
-    "csc"sv, "casc"sv, "cascade"sv, "rcas"sv,      "kaskade"sv,   "prd"sv};
-constexpr std::array kManualModes = {"m"sv,    "man"sv,  "manual"sv, "manuell"sv,
-                                     "hand"sv, "iman"sv, "rman"sv,   "lo"sv,
-                                     "h"sv,    "oos"sv,  "o/s"sv};
+constexpr std::string_view kModeWords =
+    "mode|modus|md|amode|betriebsart|automan|automanual|am";
+constexpr std::string_view kAutoWords = "auto|automatic|automatik";
+constexpr std::string_view kManualWords = "man|manual|hand";
+constexpr std::string_view kSaidBehind = "actual|act|ist|cv|value";
+constexpr std::string_view kAutomaticModes =
+    "a|aut|auto|automatic|automatik|cas|csc|casc|cascade|rcas|kaskade|prd";
+constexpr std::string_view kManualModes =
+    "m|man|manual|manuell|hand|iman|rman|lo|h|oos|o/s";
 
 enum class Says { kNothing, kMode, kAuto, kManual };
 

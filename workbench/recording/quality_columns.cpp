@@ -1,7 +1,6 @@
 #include "workbench/recording/quality_columns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,8 +13,6 @@
 
 namespace workbench {
 namespace {
-
-using namespace std::string_view_literals;
 
 // What the cells of a column are as qualities.
 struct Evidence {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
@@ -13,70 +12,44 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
-constexpr std::array kNames = {
-    "quality"sv,   "status"sv,    "validity"sv,      "q"sv,           "qc"sv,
-    "qual"sv,      "qualitaet"sv, "opcquality"sv,    "statuscode"sv,  "confidence"sv,
-    "qstatus"sv,   "guete"sv,     "good"sv,          "isgood"sv,      "valid"sv,
-    "isvalid"sv,   "qualite"sv,   "calidad"sv,       "qualidade"sv,   "qualita"sv,
-    "kwaliteit"sv, "kvalitet"sv,  "kvalita"sv,       "jakosc"sv,      "minoseg"sv,
-    "calitate"sv,  "kalite"sv,    "dataintegrity"sv, "qualitydesc"sv, "tagquality"sv,
-    "stav"sv,      "laatu"sv,     "estado"sv,        "ステータス"sv,  "品質"sv,
-    "状態"sv,      "质量"sv,      "状态"sv,          "качество"sv,    "статус"sv,
-    "품질"sv,      "상태"sv,      "trendflags"sv,    "statusflags"sv, "dataquality"sv};
+constexpr std::string_view kNames =
+    "quality|status|validity|q|qc|qual|qualitaet|opcquality|statuscode|confidence|"
+    "qstatus|guete|good|isgood|valid|isvalid|qualite|calidad|qualidade|qualita|"
+    "kwaliteit|kvalitet|kvalita|jakosc|minoseg|calitate|kalite|dataintegrity|"
+    "qualitydesc|tagquality|stav|laatu|estado|ステータス|品質|状態|质量|状态|качество|"
+    "статус|품질|상태|trendflags|statusflags|dataquality";
 // Words behind which other words than these mean the same: DataQuality, PointStatus.
-constexpr std::array kQualityEndings = {"quality"sv,    "qualitaet"sv, "qualite"sv,
-                                        "calidad"sv,    "qualidade"sv, "kwaliteit"sv,
-                                        "qualitycode"sv};
-constexpr std::array kStatusEndings = {"status"sv, "statuscode"sv, "validity"sv,
-                                       "qual"sv};
-constexpr std::array kOfAValue = {"data"sv, "value"sv, "point"sv,   "tag"sv,
-                                  "opc"sv,  "ua"sv,    "sample"sv,  "signal"sv,
-                                  "item"sv, "meas"sv,  "reading"sv, "source"sv};
-constexpr std::array kNamesOfBad = {"bad"sv,          "isbad"sv,         "error"sv,
-                                    "iserror"sv,      "invalid"sv,       "isinvalid"sv,
-                                    "questionable"sv, "isquestionable"sv};
+constexpr std::string_view kQualityEndings =
+    "quality|qualitaet|qualite|calidad|qualidade|kwaliteit|qualitycode";
+constexpr std::string_view kStatusEndings = "status|statuscode|validity|qual";
+constexpr std::string_view kOfAValue =
+    "data|value|point|tag|opc|ua|sample|signal|item|meas|reading|source";
+constexpr std::string_view kNamesOfBad =
+    "bad|isbad|error|iserror|invalid|isinvalid|questionable|isquestionable";
 
-constexpr std::array kGood = {
-    "alarm"sv,  "unackedalarm"sv, "overridden"sv, "g"sv,     "nr"sv,    "cnd"sv,
-    "cal"sv,    "ja"sv,           "yes"sv,        "oui"sv,   "si"sv,    "valido"sv,
-    "sim"sv,    "bon"sv,          "buena"sv,      "bueno"sv, "buona"sv, "buono"sv,
-    "boa"sv,    "bom"sv,          "goed"sv,       "bra"sv,   "dobra"sv, "dobry"sv,
-    "valida"sv, "正常"sv,         "良好"sv,       "良"sv,    "好"sv,    "有效"sv,
-    "норма"sv,  "хорошее"sv,      "хорошо"sv,     "양호"sv,  "정상"sv};
-constexpr std::array kGoodBeginnings = {"good"sv,  "gut"sv,  "ok"sv,     "valid"sv,
-                                        "true"sv,  "wahr"sv, "normal"sv, "gultig"sv,
-                                        "bonne"sv, "vrai"sv};
-constexpr std::array kUncertain = {"u"sv, "qst"sv, "?"sv};
-constexpr std::array kUncertainBeginnings = {"uncertain"sv, "ques"sv,     "suspect"sv,
-                                             "unsicher"sv,  "doubtful"sv, "incert"sv,
-                                             "douteu"sv};
+constexpr std::string_view kGood =
+    "alarm|unackedalarm|overridden|g|nr|cnd|cal|ja|yes|oui|si|valido|sim|bon|buena|"
+    "bueno|buona|buono|boa|bom|goed|bra|dobra|dobry|valida|正常|良好|良|好|有效|норма|"
+    "хорошее|хорошо|양호|정상";
+constexpr std::string_view kGoodBeginnings =
+    "good|gut|ok|valid|true|wahr|normal|gultig|bonne|vrai";
+constexpr std::string_view kUncertain = "u|qst|?";
+constexpr std::string_view kUncertainBeginnings =
+    "uncertain|ques|suspect|unsicher|doubtful|incert|douteu";
 // IOP and what follows it: open inputs and outputs, failed points of CENTUM.
-constexpr std::array kBad = {
-    "stale"sv,  "disabled"sv, "null"sv, "b"sv,    "no"sv,   "non"sv,     "nein"sv,
-    "nao"sv,    "iop"sv,      "iop+"sv, "iop-"sv, "oop"sv,  "ptpf"sv,    "ncom"sv,
-    "nefv"sv,   "nfp"sv,      "mala"sv, "malo"sv, "ruim"sv, "cattiva"sv, "cattivo"sv,
-    "slecht"sv, "異常"sv,     "异常"sv, "不良"sv, "坏"sv,   "无效"sv,    "無効"sv,
-    "плохое"sv, "плохо"sv,    "불량"sv, "이상"sv};
-constexpr std::array kBadBeginnings = {"false"sv, "falsch"sv,  "poor"sv,  "mauvais"sv,
-                                       "faux"sv,  "invalid"sv, "fault"sv, "down"sv,
-                                       "nok"sv,   "not ok"sv};
-constexpr std::array kYes = {"true"sv, "yes"sv,  "ja"sv,  "oui"sv, "si"sv,
-                             "wahr"sv, "vrai"sv, "sim"sv, "x"sv,   "1"sv};
-
-bool begins_with_one(std::string_view word,
-                     std::span<const std::string_view> beginnings) {
-  return std::ranges::any_of(beginnings,
-                             [word](std::string_view b) { return word.starts_with(b); });
-}
+constexpr std::string_view kBad =
+    "stale|disabled|null|b|no|non|nein|nao|iop|iop+|iop-|oop|ptpf|ncom|nefv|nfp|mala|"
+    "malo|ruim|cattiva|cattivo|slecht|異常|异常|不良|坏|无效|無効|плохое|плохо|불량|이상";
+constexpr std::string_view kBadBeginnings =
+    "false|falsch|poor|mauvais|faux|invalid|fault|down|nok|not ok";
+constexpr std::string_view kYes = "true|yes|ja|oui|si|wahr|vrai|sim|x|1";
 
 bool ends_in_quality(std::string_view plain) {
   const auto ends = [plain](std::string_view end) {
     return plain.size() > end.size() && plain.ends_with(end);
   };
-  if (std::ranges::any_of(kQualityEndings, ends)) return true;
-  return std::ranges::any_of(kStatusEndings, [&](std::string_view end) {
+  if (any_word(kQualityEndings, ends)) return true;
+  return any_word(kStatusEndings, [&](std::string_view end) {
     return ends(end) && is_one_of(plain.substr(0, plain.size() - end.size()), kOfAValue);
   });
 }
@@ -84,13 +57,13 @@ bool ends_in_quality(std::string_view plain) {
 // Of one word, without regard to case and marks.
 QualityWord meaning_of(std::string_view word_of_any_case) {
   const std::string word = folded(word_of_any_case);
-  if (is_one_of(word, kUncertain) || begins_with_one(word, kUncertainBeginnings)) {
+  if (is_one_of(word, kUncertain) || begins_with_one_of(word, kUncertainBeginnings)) {
     return QualityWord::kUncertain;
   }
-  if (is_one_of(word, kBad) || begins_with_one(word, kBadBeginnings)) {
+  if (is_one_of(word, kBad) || begins_with_one_of(word, kBadBeginnings)) {
     return QualityWord::kBad;
   }
-  if (is_one_of(word, kGood) || begins_with_one(word, kGoodBeginnings)) {
+  if (is_one_of(word, kGood) || begins_with_one_of(word, kGoodBeginnings)) {
     return QualityWord::kGood;
   }
   return QualityWord::kUnknown;

@@ -1,7 +1,6 @@
 #include "workbench/recording/remark_line.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "workbench/recording/cell_number.hpp"
@@ -11,15 +10,10 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
-constexpr std::array kSummaries = {
-    "average"sv,      "avg"sv,       "avg."sv,  "mean"sv,       "min"sv,     "min."sv,
-    "minimum"sv,      "max"sv,       "max."sv,  "maximum"sv,    "sum"sv,     "total"sv,
-    "totals"sv,       "subtotal"sv,  "count"sv, "std"sv,        "std dev"sv, "stddev"sv,
-    "stdev"sv,        "median"sv,    "range"sv, "mittelwert"sv, "summe"sv,   "anzahl"sv,
-    "durchschnitt"sv, "moyenne"sv,   "somme"sv, "promedio"sv,   "suma"sv,    "media"sv,
-    "totale"sv,       "gemiddelde"sv};
+constexpr std::string_view kSummaries =
+    "average|avg|avg.|mean|min|min.|minimum|max|max.|maximum|sum|total|totals|subtotal|"
+    "count|std|std dev|stddev|stdev|median|range|mittelwert|summe|anzahl|durchschnitt|"
+    "moyenne|somme|promedio|suma|media|totale|gemiddelde";
 
 bool begins_as_number(std::string_view cell) {
   const std::size_t at = cell.find_first_not_of("+-.,( ");

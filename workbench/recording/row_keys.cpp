@@ -1,7 +1,6 @@
 #include "workbench/recording/row_keys.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <string_view>
@@ -13,12 +12,10 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
 using Codes = std::vector<std::uint16_t>;
 
-constexpr std::array kParts = {"parameter"sv, "param"sv,  "attribute"sv, "property"sv,
-                               "field"sv,     "metric"sv, "variable"sv,  "signal"sv};
+constexpr std::string_view kParts =
+    "parameter|param|attribute|property|field|metric|variable|signal";
 
 constexpr std::size_t kFewestRows = 10;
 

@@ -1,7 +1,6 @@
 #include "workbench/recording/signal_suggestion.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,7 +12,6 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
 using Indices = std::vector<std::size_t>;
 
 // leftSpeed: left, speed.
@@ -246,8 +244,7 @@ class Suggester {
 
 // CH1, 101, D100: a terminal or register, which says nothing of the loop.
 bool is_terminal(std::string_view piece) {
-  constexpr std::array kTerminals = {"ch"sv,  "ai"sv, "ao"sv, "in"sv,
-                                     "out"sv, "db"sv, "iw"sv, "qw"sv};
+  constexpr std::string_view kTerminals = "ch|ai|ao|in|out|db|iw|qw";
   const std::size_t digits = piece.find_first_of("0123456789");
   if (digits == std::string_view::npos ||
       piece.find_first_not_of("0123456789", digits) != std::string_view::npos) {
@@ -285,7 +282,7 @@ bool may_be_one_loop(const ColumnName& a, const ColumnName& b) {
 
 // A signal whose name says nothing, and nothing against `column`.
 bool may_be(const NamedSignal& candidate, Column column) {
-  constexpr std::array kOpen = {"input"sv, "in"sv, "eingang"sv, "entree"sv, "eing"sv};
+  constexpr std::string_view kOpen = "input|in|eingang|entree|eing";
   const ColumnName& name = candidate.name;
   const Part hint = hint_of(name);
   const bool open = std::ranges::any_of(name.pieces, [&kOpen](const std::string& piece) {
@@ -343,8 +340,7 @@ std::vector<NamedSignal> with_block_inputs(std::vector<NamedSignal> candidates) 
 }
 
 bool is_extreme(const ColumnName& name) {
-  constexpr std::array kExtremes = {"min"sv,    "max"sv, "minimum"sv, "maximum"sv,
-                                    "stddev"sv, "std"sv, "range"sv,   "count"sv};
+  constexpr std::string_view kExtremes = "min|max|minimum|maximum|stddev|std|range|count";
   const std::size_t end = name.text.find_last_not_of(" )]}") + 1;
   const std::size_t begin = name.text.find_last_of(" ([{|._-:/", end - 1) + 1;
   const std::string last =

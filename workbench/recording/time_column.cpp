@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "workbench/recording/clock_digits.hpp"
 #include "workbench/recording/date_count.hpp"

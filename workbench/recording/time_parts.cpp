@@ -14,8 +14,6 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
 enum class TimePart : std::size_t { kYear, kMonth, kDay, kHour, kMinute, kSecond };
 
 // Year to second; MM is what its place says.

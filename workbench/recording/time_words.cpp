@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
 #include <utility>
 
 #include "workbench/recording/folded.hpp"
@@ -11,8 +10,6 @@
 
 namespace workbench {
 namespace {
-
-using namespace std::string_view_literals;
 
 // Beginnings, of which a longer one stands before the shorter; letters of UTF-8 folded.
 // English, German, French, Spanish, Italian, Portuguese, Dutch, Swedish, Polish, Turkish,
@@ -75,11 +72,9 @@ int month_named(std::string_view lower) {
 }
 
 bool is_weekday(std::string_view lower) {
-  for (const std::string_view day :
-       {"mo"sv, "mon"sv, "tue"sv, "tues"sv, "wed"sv, "thu"sv, "thur"sv, "thurs"sv,
-        "fri"sv, "sat"sv, "sun"sv, "di"sv, "mi"sv, "do"sv, "fr"sv, "sa"sv, "so"sv}) {
-    if (lower == day) return true;
-  }
+  constexpr std::string_view kShort =
+      "mo|mon|tue|tues|wed|thu|thur|thurs|fri|sat|sun|di|mi|do|fr|sa|so";
+  if (is_one_of(lower, kShort)) return true;
   return lower.size() > 4 && (lower.ends_with("day") || lower.ends_with("tag") ||
                               lower == "mittwoch" || lower == "sonnabend");
 }

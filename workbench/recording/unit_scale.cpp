@@ -11,10 +11,8 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
 constexpr double kThousand = 1000;
-constexpr std::array kBases = {"W"sv, "Pa"sv, "bar"sv, "V"sv, "A"sv, "N"sv, "g/h"sv};
+constexpr std::string_view kBases = "W|Pa|bar|V|A|N|g/h";
 constexpr std::array<std::pair<char, double>, 4> kPrefixes = {
     {{'m', 1e-3}, {'h', 1e2}, {'k', 1e3}, {'M', 1e6}}};
 

@@ -3,9 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <string>
 
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/time_spelling.hpp"

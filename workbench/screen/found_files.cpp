@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 9> kEndings = {
 
 bool is_recording_name(const fs::path& path) {
   const std::string ending = lower_case(path.extension().string());
-  return is_one_of(ending, kEndings);
+  return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
 bool is_hidden(const fs::path& path) {

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {
@@ -18,9 +16,13 @@ TEST(Letters, AreThoseOfAscii) {
 }
 
 TEST(Letters, FindAWordInAList) {
-  constexpr std::array<std::string_view, 2> kWords = {"auto", "man"};
-  EXPECT_TRUE(is_one_of("man", kWords));
-  EXPECT_FALSE(is_one_of("ma", kWords) || is_one_of("", kWords));
+  constexpr std::string_view kWords = "auto|man|deg c";
+  EXPECT_TRUE(is_one_of("auto", kWords) && is_one_of("man", kWords));
+  EXPECT_TRUE(is_one_of("deg c", kWords));
+  EXPECT_FALSE(is_one_of("ma", kWords) || is_one_of("an", kWords));
+  EXPECT_FALSE(is_one_of("", kWords) || is_one_of("auto|man", kWords));
+  EXPECT_TRUE(begins_with_one_of("manual", kWords));
+  EXPECT_FALSE(begins_with_one_of("ma", kWords) || begins_with_one_of("xman", kWords));
 }
 
 }  // namespace
