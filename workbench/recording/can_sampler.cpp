@@ -53,8 +53,7 @@ double quietest_phase(const std::vector<CanSeries>& all, double first, double pe
 
 // A quarter of the intervals are at least as long.
 double later_interval(const std::vector<double>& t) {
-  std::vector<double> intervals(t.size() - 1);
-  for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
+  std::vector<double> intervals = intervals_of(t);
   return of_rank(intervals, (intervals.size() - 1) * 3 / 4);
 }
 
@@ -90,7 +89,7 @@ class Sampler {
       for (std::size_t k = 0; k < count_; ++k) values[k] = s.value[rows[k]];
       if (s.column == Column::u || s.column == Column::y) note_silence(s, rows, silent);
     }
-    report.gaps = ranges_of(silent);
+    report.gaps = stretches_where(count_, [&](std::size_t k) { return silent[k]; });
     keep_long_gaps(out);
     count_missing(report);
     describe(report);
@@ -165,10 +164,7 @@ class Sampler {
       fail(0, "times that tell samples " + number(period_) + " s apart",
            number(last) + " s since the first line", "split the log");
     }
-    const double limit =
-        std::min(static_cast<double>(kMaxSamples),
-                 kMaxOversampling * static_cast<double>(r.t.size()) + 1000);
-    if (instants > limit) {
+    if (instants > most_instants(r.t.size())) {
       const double later = later_interval(r.t);
       if (later > kMaxOversampling * period_) {
         fail(r.line.front(), "frames of " + r.title() + " one after the other",
@@ -223,17 +219,6 @@ class Sampler {
     }
   }
 
-  [[nodiscard]] static std::vector<SampleRange> ranges_of(
-      const std::vector<bool>& marks) {
-    std::vector<SampleRange> out;
-    for (std::size_t k = 0; k < marks.size(); ++k) {
-      if (!marks[k]) continue;
-      if (out.empty() || out.back().last != k) out.push_back({k, k});
-      out.back().last = k + 1;
-    }
-    return out;
-  }
-
   void refuse_mostly_held(const CanSeries& s, std::size_t unrefreshed,
                           const std::vector<bool>& in_gap) const {
     constexpr double kMostHeld = 0.5;
@@ -250,11 +235,7 @@ class Sampler {
 
   // Instants that a frame should have refreshed; those in gaps are told as such.
   void count_missing(ResampleReport& report) const {
-    std::vector<bool> in_gap(count_, false);
-    for (const SampleRange& gap : report.gaps) {
-      std::fill(in_gap.begin() + static_cast<std::ptrdiff_t>(gap.first),
-                in_gap.begin() + static_cast<std::ptrdiff_t>(gap.last), true);
-    }
+    const std::vector<bool> in_gap = marked(report.gaps, count_);
     std::vector<bool> stale = in_gap;
     for (std::size_t i = 0; i < series_.size(); ++i) {
       const CanSeries& s = series_[i];

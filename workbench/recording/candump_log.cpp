@@ -16,8 +16,6 @@
 namespace workbench {
 namespace {
 
-constexpr std::size_t kMaxLogBytes = std::size_t{512} << 20;
-
 // The DBC file, and what is said of it.
 class DbcFile {
  public:
@@ -111,7 +109,7 @@ Recording sample_log(std::string_view log, const std::string& log_name,
 
 // The log `path`; another kind of log is refused by its name.
 std::string text_of_log(const std::string& path) {
-  std::string bytes = read_text_file(path, kMaxLogBytes);
+  std::string bytes = read_text_file(path, kMostBytes);
   std::string converted;
   try {
     (void)text_of(bytes, path, converted);
@@ -129,11 +127,10 @@ Recording parse_candump_log(std::string_view log, const std::string& log_name,
                             const CandumpOptions& options) {
   const DbcFile file(dbc, dbc_name);
   std::vector<CandumpSignal> signals;
-  for (const auto& [column, reference] :
-       {std::pair<Column, const std::string&>(Column::u, options.u),
-        std::pair<Column, const std::string&>(Column::y, options.y),
-        std::pair<Column, const std::string&>(Column::sp, options.sp),
-        std::pair<Column, const std::string&>(Column::x, options.x)}) {
+  const std::string none;
+  for (const Column column : kLoopColumns) {
+    const std::string& reference =
+        of_column(column, none, options.u, options.y, options.sp, options.x);
     if (!reference.empty()) signals.push_back({column, reference, file.find(reference)});
   }
   return sample_log(log, log_name, signals, options.period_s, options.stop);

@@ -136,8 +136,7 @@ class ColumnChooser {
     const bool seconds = out_.times.empty() || (out_.times[0].seconds_only &&
                                                 out_.times[0].form == TimeForm::kNumber);
     return seconds && std::ranges::all_of(out_.signals, [this](const SignalPlace& s) {
-             return s.column == Column::t ||
-                    role_of(columns_[s.index].name.text) != kIgnoredColumn;
+             return s.column == Column::t || role_of(columns_[s.index].name.text);
            });
   }
 

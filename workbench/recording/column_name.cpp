@@ -309,6 +309,22 @@ void take_end(const EndPart& end, const std::string& name,
 
 }  // namespace
 
+std::optional<Column> role_of(std::string_view name) {
+  constexpr std::array kNames = {"t"sv, "u|op"sv, "y|pv"sv, "sp"sv, "x|mv|pos"sv};
+  const std::string lower = lower_case(name);
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (is_one_of(lower, kNames[i])) return static_cast<Column>(i);
+  }
+  return std::nullopt;
+}
+
+std::string with_aliases(Column column) {
+  constexpr std::array kNames = {"a column t (time in seconds)", "a column u (or OP)",
+                                 "a column y (or PV)", "a column sp",
+                                 "a column x (or MV, POS)"};
+  return kNames[static_cast<std::size_t>(column)];
+}
+
 ColumnName column_name(std::string_view text) {
   ColumnName out;
   out.text = utf8_of(trimmed(text));

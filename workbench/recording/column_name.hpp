@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,10 +31,9 @@ struct ColumnName {
 /// (), {}, after a comma, " in " or a blank; trailing words for "the value" go.
 [[nodiscard]] ColumnName column_name(std::string_view text);
 
-/// The Column that a bare name of the contract means (t, u, OP, y, PV, sp, x, MV, POS,
-/// any case), as a number; or kIgnoredColumn.
-inline constexpr int kIgnoredColumn = -1;
-[[nodiscard]] int role_of(std::string_view name);
+/// The Column that a bare name of the contract means: t, u, OP, y, PV, sp, x, MV, POS, in
+/// any case.
+[[nodiscard]] std::optional<Column> role_of(std::string_view name);
 
 /// "a column u (or OP)", for messages.
 [[nodiscard]] std::string with_aliases(Column column);

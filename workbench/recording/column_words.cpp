@@ -2,38 +2,141 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/folded.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/number_spelling.hpp"
-#include "workbench/recording/part_words.hpp"
 #include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
 namespace {
 
-struct PartWord {
-  std::string_view key;
-  Part part;
-};
+// Whole names, letters without case and marks: English, German, French, Spanish, Italian,
+// Portuguese, Dutch, Swedish, Norwegian, Danish, Finnish, Polish, Czech, Slovak,
+// Hungarian, Romanian, Turkish, Russian, Japanese, Chinese, Korean.
+constexpr auto kPartWords = std::to_array<std::pair<Part, std::string_view>>({
+    {Part::kTime,
+     "t|time|timestamp|date|datetime|zeit|datum|zeitstempel|uhrzeit|datumzeit|"
+     "datumuhrzeit|timestring|ts|utc|localtime|utctime|sampletime|recordtime|trendtime|"
+     "elapsed|elapsedtime|seconds|sekunden|microseconds|microsec|micros|usec|tstamp|"
+     "eventtime|clock|xvalue|horodatage|temps|heure|fecha|hora|tiempo|ora|tempo|tijd|"
+     "datumtijd|czas|dataiczas|dataczas|znacznikczasu|cas|datumacas|zaman|tarih|saat|"
+     "tarihsaat|tarihvesaat|zamandamgasi|datahora|dataehora|fechahora|fechayhora|"
+     "marcadetiempo|dataora|dataeora|dateheure|dateetheure|tijdstip|datumentijd|"
+     "tijdstempel|tid|dato|tidpunkt|tidspunkt|klokkeslett|tidsstaempel|datotid|"
+     "datumtid|tidsstempel|aika|aikaleima|kellonaika|paeivaemaeaerae|pvm|paeivaeys|ido|"
+     "idopont|idobelyeg|timp|datasiora|время|дата|датаивремя|датавремя|меткавремени|"
+     "時間|時刻|日時|日付|日付時刻|タイムスタンプ|时间|日期|日期时间|时间戳|采样时间|"
+     "记录时间|日期時間|시간|시각|날짜|일시|일자|datenum|timegenerated"},
+    {Part::kU,
+     "u|op|out|co|cv|cveu|output|controlleroutput|controloutput|controlsignal|lmn|"
+     "ausgang|reglerausgang|stellgroesse|stellwert|stellsignal|outval|mvout|sortie|"
+     "sortieregulateur|commande|salida|uscita|uitgang|regelaaruitgang|wyjscie|"
+     "wyjscieregulatora|sygnalsterujacy|sterowanie|wielkoscsterujaca|wielkoscnastawcza|"
+     "vystup|vystupregulatoru|akcnizasah|akcnivelicina|akcnyzasah|cikis|kontrolcikisi|"
+     "cikisdegeri|kontroloercikisi|saida|saidadocontrolador|saidadecontrole|"
+     "saidacontrole|variavelmanipulada|sinaldecontrole|salidadelcontrolador|"
+     "salidacontrolador|salidadecontrol|variablemanipulada|uscitaregolatore|"
+     "uscitadelregolatore|uscitacontrollore|comando|variabilemanipolata|"
+     "sortieduregulateur|commandevanne|grandeurreglante|signaldecommande|stellgrad|"
+     "reglerausgangswert|uitsturing|stuursignaal|regeluitgang|utsignal|styrsignal|"
+     "regulatorutsignal|utstyrning|utgang|padrag|udgang|udgangssignal|styresignal|"
+     "regulatorutgang|ohjaus|ohjausarvo|ohjaussignaali|laehtoe|ulostulo|"
+     "saeaetimenlaehtoe|kimenet|beavatkozojel|szabalyozokimenet|iesire|iesireregulator|"
+     "comanda|marimedecomanda|выход|выходрегулятора|управляющеевоздействие|управление|"
+     "управляющийсигнал|выходнойсигнал|操作量|出力|出力値|操作出力|操作信号|調節計出力|"
+     "输出|输出值|控制输出|控制量|操作值|调节输出|阀位输出|阀门输出|控制器输出|輸出|"
+     "輸出值|출력|출력값|제어출력|조작량|조작값|controleffort|esforco|"
+     "esforcodecontrole|acaodecontrole|esfuerzodecontrol|acciondecontrol|con|activeout|"
+     "activeoutput|workingoutput|wrkop|outp"},
+    {Part::kMv, "mv|manipulatedvariable|manipulatedvalue"},
+    {Part::kY,
+     "y|pv|meas|istwert|processvalue|processvariable|processoutput|regelgroesse|pvin|"
+     "pvout|pveu|measuredvalue|measurement|messwert|controlledvariable|mesure|medida|"
+     "medicion|misura|meetwaarde|wartoscmierzona|wartoscaktualna|wartoscprocesowa|"
+     "wartoscrzeczywista|zmiennaprocesowa|wielkoscregulowana|pomiar|skutecnahodnota|"
+     "merenahodnota|namerenahodnota|regulovanavelicina|procesnihodnota|skutocnahodnota|"
+     "meranahodnota|oelcuem|olcum|oelcuelendeger|olculendeger|gercekdeger|prosesdegeri|"
+     "prosesdegiskeni|variaveldeprocesso|variaveldoprocesso|valordeprocesso|"
+     "valordoprocesso|valormedido|medicao|variabledeproceso|variabledelproceso|"
+     "valordeproceso|valordelproceso|valorreal|valoremisurato|variabilediprocesso|"
+     "variabileregolata|valorediprocesso|valoreattuale|grandeurreglee|valeurmesuree|"
+     "variabledeprocede|variabledeprocessus|ist|istwertregler|prozesswert|"
+     "gemetenwaarde|proceswaarde|procesvariabele|werkelijkewaarde|aervaerde|maetvaerde|"
+     "processvaerde|erverdi|maleverdi|prosessverdi|malevaerdi|procesvaerdi|"
+     "prosessvariabel|mittaus|mittausarvo|mitattuarvo|oloarvo|prosessiarvo|mertertek|"
+     "ellenorzojel|tenylegesertek|szabalyozottjellemzo|valoaremasurata|marimemasurata|"
+     "marimereglata|masura|измеренноезначение|текущеезначение|измерение|"
+     "регулируемаявеличина|технологическийпараметр|測定値|現在値|計測値|制御量|"
+     "プロセス値|実測値|测量值|过程值|实际值|过程变量|当前值|实时值|被控量|測量值|"
+     "측정값|측정치|현재값|현재치|공정값|me|actual|actualvalue|actvalue"},
+    {Part::kSp,
+     "sp|sv|spt|stpt|setpt|setpoint|sollwert|wsp|fuehrungsgroesse|spout|spint|spin|"
+     "setvalue|speu|consigne|consigna|gewenstewaarde|wartosczadana|zadana|"
+     "zadanahodnota|pozadovanahodnota|ziadanahodnota|set|ayardegeri|setdegeri|"
+     "istenendeger|referencia|pontodeajuste|valordesejado|valordereferencia|"
+     "puntodeajuste|puntodeconsigna|valordeconsigna|riferimento|valoreimpostato|"
+     "pointdeconsigne|soll|workingsp|workingsetpoint|wrksp|setpunt|instelwaarde|"
+     "instelpunt|streefwaarde|boervaerde|settpunkt|skalverdi|saetpunkt|setpunkt|"
+     "setvaerdi|asetusarvo|ohjearvo|alapjel|alapertek|eloirtertek|referinta|"
+     "valoareprescrisa|consemn|задание|уставка|заданноезначение|設定値|目標値|设定值|"
+     "给定值|設定值|目标值|설정값|설정치|목표값"},
+    {Part::kX,
+     "x|pos|position|valveposition|stem|stemposition|stellung|travel|valvetravel|"
+     "stemtravel|actualtravel|stemlift|hub|ventilhub|ventilstellung|rueckmeldung|"
+     "stellungsrueckmeldung|rbk|readback|polozeniezaworu|pozycjazaworu|polohaventilu|"
+     "polohaventila|poloha|posicao|posicaodavalvula|posicion|posicionvalvula|"
+     "posiciondelavalvula|posizione|posizionevalvola|positionvanne|recopie|"
+     "ouverturevanne|klepstand|positie|ventillaege|ventilposisjon|ventilstilling|"
+     "asento|venttiilinasento|szelepallas|pozitie|pozitieventil|положение|"
+     "положениеклапана|弁開度|バルブ開度|開度|阀位|阀位反馈|阀门开度|开度|밸브개도|개도"},
+    {Part::kTag,
+     "tag|tagname|name|point|pointname|pointid|varname|variable|variablenname|item|"
+     "itemid|itemname|tagpath|path|tagid|signal|series|messstelle|kennzeichen|fullname|"
+     "entityid|metric|sensorid|topic|nodeid|browsename|displayname|tagindex|tagno|"
+     "field|channelname|pointpath|itempath|datapoint|tags|valueid|bezeichnung|"
+     "datenpunkt|nom|nombre|nome|nazwa|nazev|nimi|位号|点名|变量名|标签|タグ|タグ名|"
+     "타그|태그|태그명|тег|имя|переменная|fqn|data|datasource|dataitem|dataitemname|"
+     "parameter|param|attribute|property|module|modul|block|blockname"},
+    {Part::kValue,
+     "value|val|vvalue|wert|varvalue|trendvalue|floatvalue|numericvalue|reading|valeur|"
+     "valor|valore|waarde|valueasreal|valueasdouble|realvalue|doublevalue|numvalue|"
+     "state|valuenum|numericval|lastvalue|wartosc|hodnota|deger|vaerde|verdi|vaerdi|"
+     "arvo|ertek|valoare|значение|値|值|数值|값"},
+    {Part::kMillis,
+     "ms|msec|millis|millisec|milliseconds|millisekunden|millitm|millisecs|millisecond|"
+     "mseccol|millisekunde|fff|мс"},
+});
+
+using PartWord = std::pair<std::string_view, Part>;
+
+std::vector<PartWord> sorted_words() {
+  std::vector<PartWord> out;
+  for (const auto& [part, words] : kPartWords) {
+    (void)any_word(words, [&out, part = part](std::string_view word) {
+      out.emplace_back(word, part);
+      return false;
+    });
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+// O(log n).
+Part part_word(std::string_view folded) {
+  static const std::vector<PartWord> kWords = sorted_words();
+  const auto found = std::ranges::lower_bound(kWords, folded, {}, &PartWord::first);
+  return found != kWords.end() && found->first == folded ? found->second : Part::kNone;
+}
 
 // Beginnings of words in longer names.
-constexpr std::array kHints = std::to_array<PartWord>({
-    {"valve", Part::kU},    {"pwm", Part::kU},      {"heater", Part::kU},
-    {"pump", Part::kU},     {"command", Part::kU},  {"control", Part::kU},
-    {"duty", Part::kU},     {"output", Part::kU},   {"xmv", Part::kU},
-    {"xmeas", Part::kY},    {"velocity", Part::kY}, {"actual", Part::kY},
-    {"temp", Part::kY},     {"level", Part::kY},    {"flow", Part::kY},
-    {"press", Part::kY},    {"speed", Part::kY},    {"humidity", Part::kY},
-    {"measured", Part::kY}, {"input", Part::kU},    {"drive", Part::kU},
-    {"dac", Part::kU},      {"adc", Part::kY},      {"veloc", Part::kY},
-    {"encoder", Part::kY},  {"angle", Part::kY},    {"rpm", Part::kY},
-    {"weight", Part::kY},   {"druck", Part::kY},    {"durchfl", Part::kY},
-    {"niveau", Part::kY},   {"nivel", Part::kY},    {"presi", Part::kY},
-    {"caudal", Part::kY},   {"vaza", Part::kY},     {"cmd", Part::kU},
-    {"static", Part::kY},
-});
+constexpr std::string_view kMoved =
+    "valve|pwm|heater|pump|command|control|duty|output|xmv|input|drive|dac|cmd";
+constexpr std::string_view kMeasured =
+    "xmeas|actual|temp|level|flow|press|speed|humidity|measured|adc|veloc|encoder|angle|"
+    "rpm|weight|druck|durchfl|niveau|nivel|presi|caudal|vaza|static";
 
 // Words of what is wanted, and of what it lacks: neither u nor y.
 constexpr std::string_view kAims = "sp|set|ref|aim|dev|err|goal|soll|stpt";
@@ -86,9 +189,8 @@ Part part_hinted(const std::vector<std::string>& pieces) {
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
     if (is_temperature(*piece)) return Part::kY;
     if (const Part card = part_of_card(*piece); card != Part::kNone) return card;
-    for (const PartWord& hint : kHints) {
-      if (piece->starts_with(hint.key)) return hint.part;
-    }
+    if (begins_with_one_of(*piece, kMoved)) return Part::kU;
+    if (begins_with_one_of(*piece, kMeasured)) return Part::kY;
   }
   return Part::kNone;
 }

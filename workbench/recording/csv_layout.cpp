@@ -43,9 +43,8 @@ std::vector<SampleLine> sample_of(std::string_view text, const std::string& file
 bool holds_contract_names(const std::vector<LineCell>& cells,
                           const std::vector<Column>& required) {
   return std::ranges::all_of(required, [&cells](Column column) {
-    return std::ranges::any_of(cells, [column](const LineCell& cell) {
-      return role_of(cell.text) == static_cast<int>(column);
-    });
+    return std::ranges::any_of(
+        cells, [column](const LineCell& cell) { return role_of(cell.text) == column; });
   });
 }
 

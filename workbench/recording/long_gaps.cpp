@@ -12,19 +12,10 @@ constexpr std::size_t kFewest = 10;  // instants
 constexpr double kMoved = 0.5;       // of the standard deviation, on average …
 constexpr double kAcross = 0.25;     // … and across the gap itself
 
-std::vector<char> outside_of(const std::vector<SampleRange>& gaps, std::size_t size) {
-  std::vector<char> out(size, 1);
-  for (const SampleRange& gap : gaps) {
-    std::fill(out.begin() + static_cast<std::ptrdiff_t>(gap.first),
-              out.begin() + static_cast<std::ptrdiff_t>(gap.last), 0);
-  }
-  return out;
-}
-
-double variance(const std::vector<double>& values, const std::vector<char>& own) {
+double variance(const std::vector<double>& values, const std::vector<bool>& in_gap) {
   double count = 0, mean = 0, squares = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (own[k] == 0) continue;
+    if (in_gap[k]) continue;
     const double off = values[k] - mean;
     mean += off / ++count;
     squares += off * (values[k] - mean);
@@ -33,11 +24,11 @@ double variance(const std::vector<double>& values, const std::vector<char>& own)
 }
 
 // Mean square of what the values have moved by after `lag` samples.
-double moved(const std::vector<double>& values, const std::vector<char>& own,
+double moved(const std::vector<double>& values, const std::vector<bool>& in_gap,
              std::size_t lag) {
   double count = 0, squares = 0;
   for (std::size_t k = lag; k < values.size(); ++k) {
-    if (own[k] == 0 || own[k - lag] == 0) continue;
+    if (in_gap[k] || in_gap[k - lag]) continue;
     const double step = values[k] - values[k - lag];
     squares += step * step;
     ++count;
@@ -47,12 +38,12 @@ double moved(const std::vector<double>& values, const std::vector<char>& own,
 
 // Samples after which the values are elsewhere; the largest number: never.
 std::size_t samples_to_move(const std::vector<double>& values,
-                            const std::vector<char>& own) {
+                            const std::vector<bool>& in_gap) {
   constexpr double kFiner = 1.1;
-  const double enough = kMoved * kMoved * variance(values, own);
+  const double enough = kMoved * kMoved * variance(values, in_gap);
   if (enough > 0) {
     for (std::size_t lag = 1; lag < values.size();) {
-      if (moved(values, own, lag) >= enough) return lag;
+      if (moved(values, in_gap, lag) >= enough) return lag;
       lag =
           std::max(lag + 1, static_cast<std::size_t>(kFiner * static_cast<double>(lag)));
     }
@@ -74,8 +65,7 @@ std::size_t shortest_gap(std::span<const double> t, const Spacing& spacing) {
   constexpr double kOrdinary = 0.95;
   constexpr double kLonger = 3;
   constexpr double kMostlyOnTime = 0.9;
-  std::vector<double> intervals(t.size() - 1);
-  for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
+  std::vector<double> intervals = intervals_of(t);
   const auto rank =
       static_cast<std::size_t>(kOrdinary * static_cast<double>(t.size() - 2));
   const double ordinary = of_rank(intervals, rank) / spacing.period_s;
@@ -95,11 +85,11 @@ std::string note_on_gaps(const std::vector<SampleRange>& gaps, double period_s) 
 void keep_long_gaps(Recording& recording) {
   std::vector<SampleRange>& gaps = recording.resampling.gaps;
   if (gaps.empty() || (recording.u.empty() && recording.y.empty())) return;
-  const std::vector<char> own = outside_of(gaps, recording.size());
-  const std::size_t enough =
-      std::min(samples_to_move(recording.u, own), samples_to_move(recording.y, own));
-  const double far_in_u = kAcross * kAcross * variance(recording.u, own);
-  const double far_in_y = kAcross * kAcross * variance(recording.y, own);
+  const std::vector<bool> in_gap = marked(gaps, recording.size());
+  const std::size_t enough = std::min(samples_to_move(recording.u, in_gap),
+                                      samples_to_move(recording.y, in_gap));
+  const double far_in_u = kAcross * kAcross * variance(recording.u, in_gap);
+  const double far_in_y = kAcross * kAcross * variance(recording.y, in_gap);
   std::erase_if(gaps, [&](const SampleRange& gap) {
     return gap.last - gap.first < enough && !moves_across(recording.u, gap, far_in_u) &&
            !moves_across(recording.y, gap, far_in_y);

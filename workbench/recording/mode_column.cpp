@@ -109,16 +109,9 @@ std::vector<SampleRange> manual_stretches(std::span<const double> codes,
              : says == Says::kManual ? std::vector<double>{1}
                                      : resting_codes(codes, u);
   }
-  std::vector<SampleRange> out;
-  for (std::size_t k = 0; k < codes.size(); ++k) {
-    if (std::ranges::find(manual, codes[k]) == manual.end()) continue;
-    if (!out.empty() && out.back().last == k) {
-      ++out.back().last;
-    } else {
-      out.push_back({k, k + 1});
-    }
-  }
-  return out;
+  return stretches_where(codes.size(), [&](std::size_t k) {
+    return std::ranges::find(manual, codes[k]) != manual.end();
+  });
 }
 
 }  // namespace workbench

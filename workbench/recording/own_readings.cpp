@@ -1,8 +1,6 @@
 #include "workbench/recording/own_readings.hpp"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/statistics.hpp"
@@ -14,13 +12,6 @@ constexpr double kMadeOfThem = 0.9999;
 // Parts with a memory begin somewhere, and are filtered.
 constexpr double kPartAlike = 0.99;
 
-std::vector<double> steps_of(std::span<const double> values) {
-  std::vector<double> out(values.size());
-  std::adjacent_difference(values.begin(), values.end(), out.begin());
-  out.erase(out.begin());
-  return out;
-}
-
 std::vector<double> error_of(const Recording& recording) {
   std::vector<double> out = recording.y;
   if (!recording.has(Column::sp)) return out;
@@ -30,17 +21,16 @@ std::vector<double> error_of(const Recording& recording) {
 
 // The part of a controller's output that sums its error, or follows its steps.
 bool is_part_with_memory(std::span<const double> values, std::span<const double> error) {
-  const std::vector<double> steps = steps_of(values);
+  const std::vector<double> steps = intervals_of(values);
   return squared_correlation(steps, error.subspan(1)) > kPartAlike ||
          squared_correlation(steps, error.first(steps.size())) > kPartAlike ||
-         squared_correlation(values.subspan(1), steps_of(error)) > kPartAlike;
+         squared_correlation(values.subspan(1), intervals_of(error)) > kPartAlike;
 }
 
 }  // namespace
 
 bool is_own_reading(const Recording& recording, const Load& load, double alike) {
-  constexpr std::array kLoop = {Column::u, Column::y, Column::sp, Column::x};
-  const bool is_column = std::ranges::any_of(kLoop, [&](Column column) {
+  const bool is_column = std::ranges::any_of(kLoopColumns, [&](Column column) {
     return recording.has(column) &&
            squared_correlation(load.values, recording.values(column)) > alike;
   });

@@ -5,19 +5,8 @@
 namespace workbench {
 
 std::string_view name_of(Column column) {
-  switch (column) {
-    case Column::t:
-      return "t";
-    case Column::u:
-      return "u";
-    case Column::y:
-      return "y";
-    case Column::sp:
-      return "sp";
-    case Column::x:
-      return "x";
-  }
-  return "?";
+  constexpr std::array<std::string_view, kColumns> kNames = {"t", "u", "y", "sp", "x"};
+  return kNames[static_cast<std::size_t>(column)];
 }
 
 const std::vector<double>& Recording::values(Column column) const {
@@ -36,6 +25,15 @@ std::vector<SampleRange> clipped(const std::vector<SampleRange>& ranges,
     const std::size_t first = std::max(range.first, part.first);
     const std::size_t last = std::min(range.last, part.last);
     if (first < last) out.push_back({first - part.first, last - part.first});
+  }
+  return out;
+}
+
+std::vector<bool> marked(const std::vector<SampleRange>& ranges, std::size_t size) {
+  std::vector<bool> out(size, false);
+  for (const SampleRange& range : ranges) {
+    std::fill(out.begin() + static_cast<std::ptrdiff_t>(range.first),
+              out.begin() + static_cast<std::ptrdiff_t>(range.last), true);
   }
   return out;
 }

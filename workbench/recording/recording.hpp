@@ -15,23 +15,14 @@ enum class Column { t, u, y, sp, x };
 inline constexpr int kColumns = 5;
 [[nodiscard]] std::string_view name_of(Column column);
 
+/// Those that are signals of the loop.
+inline constexpr std::array kLoopColumns = {Column::u, Column::y, Column::sp, Column::x};
+
 /// Of one thing for each column, that of `column`.
 template <class T>
 [[nodiscard]] const T& of_column(Column column, const T& t, const T& u, const T& y,
                                  const T& sp, const T& x) {
-  switch (column) {
-    case Column::u:
-      return u;
-    case Column::y:
-      return y;
-    case Column::sp:
-      return sp;
-    case Column::x:
-      return x;
-    case Column::t:
-      break;
-  }
-  return t;
+  return *std::array{&t, &u, &y, &sp, &x}[static_cast<std::size_t>(column)];
 }
 
 /// Longest recording, in samples: bounds the memory of every reader.
@@ -46,6 +37,22 @@ struct SampleRange {
 /// What of `ranges` lies in `part`, counted from the beginning of `part`.
 [[nodiscard]] std::vector<SampleRange> clipped(const std::vector<SampleRange>& ranges,
                                                SampleRange part);
+
+/// Whether each of `size` samples lies in one of `ranges`.
+[[nodiscard]] std::vector<bool> marked(const std::vector<SampleRange>& ranges,
+                                       std::size_t size);
+
+/// The stretches of samples, of `size`, that all fit.
+template <class Fits>
+[[nodiscard]] std::vector<SampleRange> stretches_where(std::size_t size, Fits fits) {
+  std::vector<SampleRange> out;
+  for (std::size_t k = 0; k < size; ++k) {
+    if (!fits(k)) continue;
+    if (out.empty() || out.back().last != k) out.push_back({k, k});
+    out.back().last = k + 1;
+  }
+  return out;
+}
 
 /// Samples of all `ranges` together.
 [[nodiscard]] std::size_t samples_in(const std::vector<SampleRange>& ranges);

@@ -21,8 +21,6 @@ constexpr double kRegular = 0.01;           // of a period: not worth a word
 constexpr double kLongestRefiningStep = 3;  // periods: longer ones say little about one
 constexpr double kMostlyOnTime = 0.9;  // share above which the mean replaces the median
 constexpr double kShortestPeriodS = 1e-9;
-constexpr double kMaxGrowth = 20;  // grid instants per row, plus kFreeGrowth
-constexpr double kFreeGrowth = 1000;
 
 // Twelve significant digits: 0.1 stays 0.1 after a mean over thousands of stamps.
 double tidy(double value) {
@@ -67,9 +65,15 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
+double most_instants(std::size_t rows) {
+  constexpr double kGrowth = 20;
+  constexpr double kFreeGrowth = 1000;
+  return std::min(static_cast<double>(kMaxSamples),
+                  kGrowth * static_cast<double>(rows) + kFreeGrowth);
+}
+
 Spacing spacing_of(std::span<const double> t) {
-  std::vector<double> intervals(t.size() - 1);
-  for (std::size_t i = 0; i + 1 < t.size(); ++i) intervals[i] = t[i + 1] - t[i];
+  std::vector<double> intervals = intervals_of(t);
   const double median = of_rank(intervals, intervals.size() / 2);
 
   double span = 0;
@@ -116,9 +120,7 @@ void check_span(const TimedRows& rows, const std::string& file, double period,
         "write the time with more digits, or from 0");
   }
   const double instants = std::round((last - first) / period) + 1;
-  const double limit =
-      std::min(static_cast<double>(kMaxSamples),
-               kMaxGrowth * static_cast<double>(rows.t.size()) + kFreeGrowth);
+  const double limit = most_instants(rows.t.size());
   if (!(instants <= limit)) {
     throw InputError(file, rows.line[widest], 0,
                      "a recording of at most " + number(limit, 9) + " instants",

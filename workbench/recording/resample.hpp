@@ -47,9 +47,12 @@ struct Spacing {
 /// period after it. What lies between recordings is a gap of the report, and none of its
 /// other numbers counts it. Fills t, the values, period_s and the report of `out`;
 /// out.loads must have the names of rows.loads already. Throws InputError naming `file`
-/// when there are fewer than two rows or when the grid would be longer than kMaxSamples
-/// or than twenty times the rows plus a thousand.
+/// when there are fewer than two rows or when the grid would have more than
+/// most_instants().
 void resample(TimedRows&& rows, const std::string& file, Recording& out);
+
+/// Of a grid of so many rows: twenty times as many and a thousand, up to kMaxSamples.
+[[nodiscard]] double most_instants(std::size_t rows);
 
 /// `value` with at most `digits` significant digits, as printf's %g.
 [[nodiscard]] std::string number(double value, int digits = 6);

@@ -6,7 +6,6 @@
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
-#include "workbench/recording/rounded_times.hpp"
 #include "workbench/recording/statistics.hpp"
 
 namespace workbench {
@@ -23,9 +22,7 @@ constexpr std::array kFull = {1.0,     10.0,    60.0,    100.0,    1000.0,     3
                               65.536,  10000.0, 100000., 2147483., 4294967.296};
 
 double interval_of(std::span<const double> t) {
-  std::vector<double> steps;
-  steps.reserve(t.size());
-  for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
+  std::vector<double> steps = intervals_of(t);
   return of_rank(steps, steps.size() / 2);
 }
 

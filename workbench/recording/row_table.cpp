@@ -303,7 +303,7 @@ std::string tags_of(const std::vector<SignalRows>& signals) {
   bool own_names = false;
   for (const SignalRows& signal : signals) {
     if (signal.is_mode || signal.column == Column::t) continue;
-    own_names = own_names || role_of(signal.name) == kIgnoredColumn;
+    own_names = own_names || !role_of(signal.name);
     tags += (tags.empty() ? "" : ", ") + std::string(name_of(signal.column)) + ' ' +
             signal.name;
   }

@@ -42,7 +42,7 @@ class Chooser {
         context_(context) {}
 
   std::vector<PickedSignal> choose() {
-    for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+    for (const Column column : kLoopColumns) {
       const std::string& name = names_.of(column);
       if (name.empty()) continue;
       const std::string option = "--" + std::string(name_of(column));
@@ -57,7 +57,7 @@ class Chooser {
     }
     find_rest();
     std::vector<PickedSignal> out;
-    for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+    for (const Column column : kLoopColumns) {
       if (const auto index = picked(column)) {
         const bool last = by_elimination_ && column <= Column::y;
         out.push_back({column, *index, last && names_.of(column).empty()});
@@ -188,7 +188,7 @@ class Chooser {
 
   void take(const Loop& loop, const std::vector<Column>& wanted) {
     if (!loop.outputs.empty()) refuse_twice(Column::u, loop.outputs);
-    for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+    for (const Column column : kLoopColumns) {
       const auto found = loop.parts.find(part_of(column));
       if (found == loop.parts.end() || picked(column)) continue;
       const bool needed = std::ranges::find(wanted, column) != wanted.end();

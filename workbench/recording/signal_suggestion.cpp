@@ -295,19 +295,8 @@ bool may_be(const NamedSignal& candidate, Column column) {
 }  // namespace
 
 Part part_of(Column column) {
-  switch (column) {
-    case Column::u:
-      return Part::kU;
-    case Column::y:
-      return Part::kY;
-    case Column::sp:
-      return Part::kSp;
-    case Column::x:
-      return Part::kX;
-    case Column::t:
-      break;
-  }
-  return Part::kTime;
+  constexpr std::array kParts = {Part::kTime, Part::kU, Part::kY, Part::kSp, Part::kX};
+  return kParts[static_cast<std::size_t>(column)];
 }
 
 bool is_only_cv(const std::vector<NamedSignal>& candidates, const Indices& of) {

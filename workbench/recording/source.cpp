@@ -34,13 +34,10 @@ bool looks_like_candump(std::string_view text) {
 Recording read_log(const RecordingSource& source) {
   const CandumpOptions options{source.u, source.y,  source.sp,
                                source.x, source.ts, source.stop};
+  const ColumnNames names = csv_options_of(source).names;
   std::vector<Column> missing;
   for (const Column column : source.required) {
-    const std::string& reference = column == Column::u   ? source.u
-                                   : column == Column::y ? source.y
-                                   : column == Column::x ? source.x
-                                                         : source.sp;
-    if (column != Column::t && reference.empty()) missing.push_back(column);
+    if (column != Column::t && names.of(column).empty()) missing.push_back(column);
   }
   if (!missing.empty()) {
     throw std::invalid_argument(missing_dbc_signals(source.dbc, missing));

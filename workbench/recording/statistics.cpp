@@ -33,6 +33,12 @@ double squared_correlation(std::span<const double> a, std::span<const double> b)
   return aa > 0 && bb > 0 ? ab * ab / (aa * bb) : 0;
 }
 
+std::vector<double> intervals_of(std::span<const double> values) {
+  std::vector<double> out(values.size() - 1);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = values[i + 1] - values[i];
+  return out;
+}
+
 double of_rank(std::vector<double>& values, std::size_t rank) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
   std::nth_element(values.begin(), at, values.end());

@@ -17,6 +17,9 @@ namespace workbench {
 [[nodiscard]] double squared_correlation(std::span<const double> a,
                                          std::span<const double> b);
 
+/// From each of at least one value to the next.
+[[nodiscard]] std::vector<double> intervals_of(std::span<const double> values);
+
 /// The value of that rank, 0 the smallest, below the number of values; reorders them.
 /// O(n).
 [[nodiscard]] double of_rank(std::vector<double>& values, std::size_t rank);

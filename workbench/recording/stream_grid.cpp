@@ -11,10 +11,8 @@
 namespace workbench {
 namespace {
 
-constexpr double kOnTime = 0.10;   // of an interval: still this instant's sample
-constexpr double kLatest = 0.1;    // of the time span before an optional signal begins
-constexpr double kMaxGrowth = 20;  // grid instants a sample, plus kFreeGrowth
-constexpr double kFreeGrowth = 1000;
+constexpr double kOnTime = 0.10;  // of an interval: still this instant's sample
+constexpr double kLatest = 0.1;   // of the time span before an optional signal begins
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 class StreamGrid {
@@ -101,9 +99,7 @@ class StreamGrid {
       return table;
     }
     const double instants = std::floor((end - start) / period + kOnTime) + 1;
-    const double most = std::min(static_cast<double>(kMaxSamples),
-                                 kMaxGrowth * static_cast<double>(samples) + kFreeGrowth);
-    if (!(start < first_end && instants >= 2 && instants <= most)) {
+    if (!(start < first_end && instants >= 2 && instants <= most_instants(samples))) {
       throw InputError(context_.file, context_.header_line, 0,
                        "signals recorded over the same time, without long holes",
                        number(std::max(first_end - start, 0.0)) +

@@ -80,8 +80,7 @@ TimeFinder::TimeFinder(const CsvLayout& layout, const std::string& file,
 std::optional<TimePlace> TimeFinder::find() const {
   if (!names_.time.empty()) return named();
   const std::optional<std::size_t> found = column();
-  const bool is_t =
-      found && role_of(columns_[*found].name.text) == static_cast<int>(Column::t);
+  const bool is_t = found && role_of(columns_[*found].name.text) == Column::t;
   if (is_t) check_single_t(*found);
   if (!is_t) {
     if (std::optional<TimePlace> parts = of_parts()) return parts;
@@ -97,8 +96,7 @@ std::optional<std::size_t> TimeFinder::column() const {
     return static_cast<std::size_t>(found - columns_.begin());
   };
   std::optional<std::size_t> column = first([](const LayoutColumn& c) {
-    return role_of(c.name.text) == static_cast<int>(Column::t) &&
-           c.content != Content::kText;
+    return role_of(c.name.text) == Column::t && c.content != Content::kText;
   });
   // The bounds of a query stand beside the times of its rows, the same in all of them.
   for (const bool may_rest : {false, true}) {
@@ -127,8 +125,7 @@ std::optional<std::size_t> TimeFinder::column() const {
   // The sample period alone, in the first row, makes no times.
   if (!column) {
     column = first([](const LayoutColumn& c) {
-      const bool named = role_of(c.name.text) == static_cast<int>(Column::t) ||
-                         c.name.part == Part::kTime;
+      const bool named = role_of(c.name.text) == Column::t || c.name.part == Part::kTime;
       return named && c.content != Content::kNothing;
     });
   }
@@ -202,7 +199,7 @@ TimePlace TimeFinder::named() const {
 
 void TimeFinder::check_single_t(std::size_t first) const {
   for (std::size_t i = first + 1; i < columns_.size(); ++i) {
-    if (role_of(columns_[i].name.text) != static_cast<int>(Column::t)) continue;
+    if (role_of(columns_[i].name.text) != Column::t) continue;
     throw InputError(file_, layout_.header_line, columns_[i].column, "one column for t",
                      "both " + quoted(columns_[first].name.text) + " and " +
                          quoted(columns_[i].name.text),
@@ -214,7 +211,7 @@ TimePlace TimeFinder::at(std::size_t index) const {
   TimePlace place;
   place.column = index;
   const LayoutColumn& column = columns_[index];
-  place.seconds_only = role_of(column.name.text) == static_cast<int>(Column::t);
+  place.seconds_only = role_of(column.name.text) == Column::t;
   place.elapsed = column.name.key.find("elapsed") != std::string::npos;
   place.unit_s = seconds_of_unit(column.name.unit);
   if (place.unit_s == 0) place.unit_s = seconds_of_unit(column.name.key);

@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "workbench/recording/column_name.hpp"
-#include "workbench/recording/part_words.hpp"
+#include "workbench/recording/column_words.hpp"
 
 namespace workbench {
 namespace {
 
-TEST(PartWords, KnowsWholeNamesOnly) {
-  EXPECT_EQ(part_word("op"), Part::kU);
-  EXPECT_EQ(part_word("controlleroutput"), Part::kU);
-  EXPECT_EQ(part_word("outputs"), Part::kNone);
-  EXPECT_EQ(part_word(""), Part::kNone);
+TEST(ColumnWords, KnowsWholeNamesOnly) {
+  EXPECT_EQ(part_named("op"), Part::kU);
+  EXPECT_EQ(part_named("controlleroutput"), Part::kU);
+  EXPECT_EQ(part_named("outputs"), Part::kNone);
+  EXPECT_EQ(part_named(""), Part::kNone);
 }
 
-TEST(PartWords, OfHeadingsInTheirLanguages) {
+TEST(ColumnWords, OfHeadingsInTheirLanguages) {
   const std::vector<std::pair<Part, std::vector<std::string>>> headings = {
       {Part::kU,
        {"Wyjście regulatora",
@@ -62,7 +62,7 @@ TEST(PartWords, OfHeadingsInTheirLanguages) {
   }
 }
 
-TEST(PartWords, StandBehindAndInFrontOfTags) {
+TEST(ColumnWords, StandBehindAndInFrontOfTags) {
   EXPECT_EQ(column_name("FIC101 Wartość mierzona").tag, "fic101");
   EXPECT_EQ(column_name("Valore misurato FIC101").tag, "fic101");
   EXPECT_EQ(column_name("Valore misurato FIC101").part, Part::kY);
