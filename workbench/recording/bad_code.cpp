@@ -63,7 +63,7 @@ void take_out_codes(SignalRows& signal, ResampleReport& report) {
   }
   if (cells == 0 || cells > others.count) return;
   for (double& value : signal.values) {
-    if (found.contains(value)) value = std::numeric_limits<double>::quiet_NaN();
+    if (found.contains(value)) value = kNoValue;
   }
   for (const auto& [code, count] : found) {
     report.notes.push_back(

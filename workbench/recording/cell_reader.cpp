@@ -36,6 +36,14 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string_view take_whole_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 std::vector<LineCell> split_line(std::string_view line, char separator) {
   std::vector<LineCell> cells;
   std::size_t at = 0;

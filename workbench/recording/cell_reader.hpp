@@ -14,6 +14,9 @@ inline constexpr std::size_t kMostHeaderCells = 4096;
 /// Without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+/// The first line of a text, without its end, LF or CRLF; it goes from the text with it.
+[[nodiscard]] std::string_view take_whole_line(std::string_view& text);
+
 [[nodiscard]] constexpr bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }

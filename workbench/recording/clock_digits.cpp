@@ -1,13 +1,13 @@
 #include "workbench/recording/clock_digits.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <map>
 
 #include "workbench/recording/date_count.hpp"
 #include "workbench/recording/statistics.hpp"
+#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 namespace {
@@ -23,13 +23,10 @@ struct Read {
 
 Read with_date(double date, double seconds) {
   const auto digits = static_cast<long long>(date);
-  const std::chrono::year_month_day day{
-      std::chrono::year(static_cast<int>(2000 + digits / 10000)),
-      std::chrono::month(static_cast<unsigned>(digits / 100 % 100)),
-      std::chrono::day(static_cast<unsigned>(digits % 100))};
-  if (!day.ok()) return {0, false};
-  const auto days = std::chrono::sys_days(day).time_since_epoch().count();
-  return {static_cast<double>(days) * kDayS + seconds, true};
+  const std::optional<std::int32_t> day =
+      day_number(static_cast<int>(2000 + digits / 10000),
+                 static_cast<int>(digits / 100 % 100), static_cast<int>(digits % 100));
+  return {day.value_or(0) * kDayS + seconds, day.has_value()};
 }
 
 Read read(double number) {

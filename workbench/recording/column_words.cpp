@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
-#include "workbench/recording/folded.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/number_spelling.hpp"
 #include "workbench/recording/quality_words.hpp"

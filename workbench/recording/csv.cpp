@@ -43,10 +43,6 @@ void note_ignored_time(const CsvLayout& layout, double ts, Recording& out) {
                                  " s");
 }
 
-}  // namespace
-
-namespace {
-
 // A signal a sheet, as others write a file a tag.
 std::optional<std::string> joined_sheets(const std::vector<NamedSheet>& sheets,
                                          const CsvOptions& options) {
@@ -134,8 +130,7 @@ Recording parse_csv(std::string_view text, const std::string& name,
   try {
     return parse_text(text, name, sheet.note, of_joined);
   } catch (const InputError& error) {
-    // Lines are those of no sheet.
-    throw InputError(error.file, 0, 0, error.expected, error.found, error.advice);
+    throw InputError(error.without_line());
   }
 }
 

@@ -1,6 +1,5 @@
 #include "workbench/recording/csv_layout.hpp"
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -370,10 +369,7 @@ class LayoutFinder {
 }  // namespace
 
 std::optional<std::size_t> counter_of(const CsvLayout& layout) {
-  const auto found = std::ranges::find_if(layout.columns,
-                                          [](const LayoutColumn& c) { return c.counts; });
-  if (found == layout.columns.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - layout.columns.begin());
+  return first_column(layout.columns, [](const LayoutColumn& c) { return c.counts; });
 }
 
 CsvLayout layout_of(std::string_view text, const std::string& file,

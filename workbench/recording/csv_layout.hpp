@@ -1,6 +1,7 @@
 // Where the columns of a text file are, told from its first lines.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -54,6 +55,15 @@ struct CsvLayout {
   }
   bool contract_names = false;  ///< the first line holds the contract's bare names
 };
+
+/// The first of the columns that fits.
+template <class Fits>
+[[nodiscard]] std::optional<std::size_t> first_column(
+    const std::vector<LayoutColumn>& columns, Fits fits) {
+  const auto found = std::ranges::find_if(columns, fits);
+  if (found == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns.begin());
+}
 
 /// The first column that rises evenly: it may be the time, or count the rows.
 [[nodiscard]] std::optional<std::size_t> counter_of(const CsvLayout& layout);

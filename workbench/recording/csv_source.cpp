@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
 
@@ -48,6 +49,25 @@ TimeColumn time_column_of(const CsvSource& source, const TimePlace& place) {
   return out;
 }
 
+SignalRows rows_of(const CsvSource& source, Column column, const ColumnName& name,
+                   std::optional<std::size_t> quality) {
+  SignalRows out;
+  out.column = column;
+  out.name = name.text;
+  out.unit = name.unit;
+  if (quality) {
+    out.scale = QualityScale(marks_bad(source.layout.columns[*quality].name.pieces));
+  }
+  return out;
+}
+
+void require_room(const CsvSource& source, const RowScanner& rows, std::size_t count) {
+  if (count < kMaxSamples) return;
+  throw InputError(source.file, rows.line(), 0,
+                   "at most " + std::to_string(kMaxSamples) + " rows", "more",
+                   "split the recording");
+}
+
 void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell& first) {
   if (!times.settle()) {
     throw InputError(file, first.line, first.column,
@@ -65,12 +85,9 @@ void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell
   std::string dates;
   std::string options;
   for (const TimeColumn::Reading& reading : readings) {
-    const char* name = reading.order == DateOrder::dmy   ? "dmy"
-                       : reading.order == DateOrder::mdy ? "mdy"
-                                                         : "ymd";
     dates += (dates.empty() ? "" : " or ") + reading.date;
-    options +=
-        (options.empty() ? "--date-order " : " or --date-order ") + std::string(name);
+    options += (options.empty() ? "--date-order " : " or --date-order ") +
+               std::string(name_of(reading.order));
   }
   throw InputError(file, first.line, first.column, "dates with one reading",
                    quoted(first.text) + ", which may be " + dates,

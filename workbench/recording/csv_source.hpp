@@ -34,6 +34,14 @@ struct CsvSource {
 /// A collector of the times of that place.
 [[nodiscard]] TimeColumn time_column_of(const CsvSource& source, const TimePlace& place);
 
+/// A signal as its column, or tag, has it, and the scale of its qualities.
+[[nodiscard]] SignalRows rows_of(const CsvSource& source, Column column,
+                                 const ColumnName& name,
+                                 std::optional<std::size_t> quality);
+
+/// Throws InputError where a signal has kMaxSamples rows already.
+void require_room(const CsvSource& source, const RowScanner& rows, std::size_t count);
+
 /// A time cell, for messages.
 struct TimeCell {
   std::size_t line = 0;

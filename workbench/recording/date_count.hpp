@@ -1,9 +1,13 @@
-// Dates written as one number, told from how large it is.
+// Dates and times written as one number: counts from some day on, told from how large
+// they are; digits of a date; minutes, hours and days rounded to a few decimals.
 #pragma once
 
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include "workbench/recording/times_of_rows.hpp"
+#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 
@@ -30,5 +34,37 @@ struct DateCount {
 /// are `open`. `unit_s`: as the header names it; 0: not at all. O(n).
 [[nodiscard]] std::optional<DateCount> date_count(const std::vector<double>& values,
                                                   double unit_s, bool seconds_only);
+
+/// Reads 20260514; 260514, which is day, month and year in an open order unless `order`
+/// says it; 46156, a day of Excel's (2000 to 2099, perhaps with decimals that are zero).
+/// Nothing: none of these. Alone each of them might be any number: ask only where the
+/// column is one of dates.
+[[nodiscard]] std::optional<WrittenTime> date_digits(
+    std::string_view cell, std::optional<DateOrder> order = std::nullopt);
+
+struct RoundedCount {
+  double digit_s = 0;     ///< what the last decimal counts, s
+  double period_s = 0;    ///< whole seconds; negative where the numbers fall
+  std::vector<double> t;  ///< equally spaced from the first number on, s
+};
+
+/// The spacing of at least 20 numbers of `unit_s` seconds each, a minute or more, of at
+/// most nine decimals, that all lie within one last decimal of a straight line of whole
+/// seconds a row, where that decimal is more than a thousandth of the spacing. Nothing:
+/// not so, or the numbers are too few to tell which. O(n).
+[[nodiscard]] std::optional<RoundedCount> rounded_count(const std::vector<double>& values,
+                                                        double unit_s);
+
+/// Puts such times into `out`, with a note. False: they are none.
+[[nodiscard]] bool take_rounded_count(const std::vector<double>& values, double unit_s,
+                                      TimesOfRows& out);
+
+/// True for such numbers that are days 1, 2, 5, 10, 15, 20, 30 or 60 s apart, and would
+/// be less than a thousandth apart as seconds.
+[[nodiscard]] bool are_rounded_days(const std::vector<double>& values);
+
+/// True for numbers from 0 to below 1, less than a thousandth apart: parts of a day as
+/// well as seconds. Not so where all steps are alike and no half seconds of a day.
+[[nodiscard]] bool may_be_parts_of_day(const std::vector<double>& values);
 
 }  // namespace workbench

@@ -17,6 +17,11 @@ class InputError : public std::runtime_error {
   InputError(std::string file, std::size_t line, std::size_t column, std::string expected,
              std::string found, std::string advice);
 
+  /// The same of a text that was put together: its lines are those of no file.
+  [[nodiscard]] InputError without_line() const {
+    return {file, 0, 0, expected, found, advice};
+  }
+
   std::string file;
   std::size_t line;
   std::size_t column;

@@ -16,17 +16,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kIndex = "index";
 
-bool are(const Json& values, bool (Json::*kind)() const noexcept) {
-  return !values.empty() && std::ranges::all_of(values, [kind](const Json& value) {
-    return (value.*kind)();
-  });
-}
-
 // {"channel": {"field1": "OP"}, "feeds": [{"created_at": ..., "field1": ...}, ...]}
 std::optional<Json> of_thing_speak(const Json& root) {
   const bool fits = root.is_object() && root.contains("channel") &&
                     root["channel"].is_object() && root.contains("feeds") &&
-                    root["feeds"].is_array() && are(root["feeds"], &Json::is_object);
+                    root["feeds"].is_array() &&
+                    all_of_kind(root["feeds"], &Json::is_object);
   if (!fits) return std::nullopt;
   const Json& channel = root["channel"];
   const auto name_of = [&channel](const std::string& field) {
@@ -110,12 +105,13 @@ Json keys_of(const Json& object) {
 
 // {"columns": ["OP"], "index": [1773735300000], "data": [[52.6]]}
 std::optional<Json> of_split(const Json& root) {
-  const bool fits = root.is_object() && root.contains("columns") &&
-                    root.contains(kIndex) && root.contains("data") &&
-                    root["columns"].is_array() && root[kIndex].is_array() &&
-                    root["data"].is_array() && are(root["data"], &Json::is_array) &&
-                    root["data"].size() == root[kIndex].size();
-  if (!fits || !are(root[kIndex], &Json::is_primitive) || !tells_more(root[kIndex])) {
+  const bool fits =
+      root.is_object() && root.contains("columns") && root.contains(kIndex) &&
+      root.contains("data") && root["columns"].is_array() && root[kIndex].is_array() &&
+      root["data"].is_array() && all_of_kind(root["data"], &Json::is_array) &&
+      root["data"].size() == root[kIndex].size();
+  if (!fits || !all_of_kind(root[kIndex], &Json::is_primitive) ||
+      !tells_more(root[kIndex])) {
     return std::nullopt;
   }
   const std::size_t columns = root["columns"].size();
@@ -161,17 +157,23 @@ Json of_rows(const Json& root) {
 std::optional<Json> of_pandas(const Json& root) {
   if (!root.is_object() || root.empty()) return std::nullopt;
   if (root.contains("columns")) return of_split(root);
-  if (root.size() < 2 || !are(root, &Json::is_object)) return std::nullopt;
+  if (root.size() < 2 || !all_of_kind(root, &Json::is_object)) return std::nullopt;
   const bool rows = std::ranges::all_of(
       root.items(), [](const auto& row) { return is_time(row.key()); });
   const bool primitive = std::ranges::all_of(
-      root, [](const Json& one) { return are(one, &Json::is_primitive); });
+      root, [](const Json& one) { return all_of_kind(one, &Json::is_primitive); });
   if (!primitive) return std::nullopt;
   if (rows) return of_rows(root);
   return of_columns(root);
 }
 
 }  // namespace
+
+bool all_of_kind(const Json& values, bool (Json::*kind)() const noexcept) {
+  return !values.empty() && std::ranges::all_of(values, [kind](const Json& value) {
+    return (value.*kind)();
+  });
+}
 
 Json known_shape(Json root) {
   for (const auto& shape : {of_thing_speak, of_graphite, of_pandas}) {

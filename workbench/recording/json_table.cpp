@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_name.hpp"
 #include "workbench/recording/json_shapes.hpp"
 #include "workbench/recording/parsed_json.hpp"
@@ -103,11 +104,6 @@ class Rows {
   std::vector<std::string> names_;
   std::vector<std::vector<std::string>> rows_;
 };
-
-bool all_of_kind(const Json& values, bool (Json::*is)() const noexcept) {
-  return !values.empty() &&
-         std::ranges::all_of(values, [is](const Json& v) { return (v.*is)(); });
-}
 
 std::vector<std::string> names_in(const Json& table) {
   std::vector<std::string> names;
@@ -362,9 +358,7 @@ std::string without_nan(std::string_view text) {
 // An object a line.
 bool add_lines(std::string_view text, Rows& out) {
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = take_whole_line(text);
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     const Json object = parsed_json<Json>(line);
     if (!object.is_object()) return false;

@@ -15,11 +15,8 @@ namespace {
 
 // What stands behind `key` and a separator at the start of a line; nothing without one.
 std::optional<std::string_view> said(std::string_view head, std::string_view key) {
-  for (std::size_t at = 0; at < head.size();) {
-    const std::size_t end = std::min(head.find('\n', at), head.size());
-    std::string_view line = head.substr(at, end - at);
-    at = end + 1;
-    if (line.ends_with('\r')) line.remove_suffix(1);
+  while (!head.empty()) {
+    const std::string_view line = take_whole_line(head);
     if (line.starts_with(key) && line.size() > key.size() + 1) {
       return line.substr(key.size() + 1);
     }
@@ -76,19 +73,11 @@ class Segments {
   Segments(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
 
   std::string joined() {
-    for (; !rest_.empty(); ++line_) read_line(take_line());
+    for (; !rest_.empty(); ++line_) read_line(take_whole_line(rest_));
     return std::move(out_);
   }
 
  private:
-  std::string_view take_line() {
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
-  }
-
   void read_line(std::string_view line) {
     if (line.starts_with(kEndOfLabviewHead)) {
       ++heads_;

@@ -1,4 +1,4 @@
-// Letters and digits of ASCII, whatever the locale says.
+// Letters and digits of ASCII, whatever the locale says; words of any language.
 #pragma once
 
 #include <cstddef>
@@ -60,5 +60,9 @@ template <class Fits>
   return any_word(words,
                   [text](std::string_view word) { return text.starts_with(word); });
 }
+
+/// The letters of UTF-8 text small, Latin ones without their marks (Á and ă are a, Ł is
+/// l, Æ is ae, ß is ss), ё as е, full-width ones as ASCII; other bytes as they are.
+[[nodiscard]] std::string folded(std::string_view text);
 
 }  // namespace workbench

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "workbench/recording/bad_value.hpp"
-#include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/column_words.hpp"
+#include "workbench/recording/mark_doubt.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/time_spelling.hpp"
 #include "workbench/recording/written_time.hpp"

@@ -1,8 +1,12 @@
-// Marks with three digits behind them: decimals or thousands, told from their column.
+// What the numbers of a column leave open, told from all of them: marks that group or
+// divide, brackets that negate or doubt, units that differ by a prefix.
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace workbench {
 
@@ -58,6 +62,60 @@ class FractionDoubt {
   bool digits_ = true;
   bool even_ = true;
   bool padded_ = false;
+};
+
+/// "-45.2" of "(45.2)"; nothing where no digit or mark follows the bracket. The number is
+/// not looked at.
+[[nodiscard]] std::optional<std::string> negative_of(std::string_view cell);
+
+/// The numbers of one column, in order: brackets may also mark what is doubtful.
+class BracketDoubt {
+ public:
+  /// `value`: negative where it is bracketed.
+  void add(double value, bool bracketed);
+  /// Cells in brackets.
+  [[nodiscard]] std::size_t total() const { return total_; }
+  /// From plain to bracketed numbers the column moves, in the mean, more than three times
+  /// as far as it does anywhere else: through zero it would not.
+  [[nodiscard]] bool likely_marks() const;
+
+ private:
+  std::size_t total_ = 0;
+  bool any_ = false;
+  bool last_bracketed_ = false;
+  double last_ = 0;
+  std::size_t changes_ = 0;  // from plain to bracketed or back
+  double across_ = 0;        // moves there, in sum
+  double within_ = 0;        // the largest move elsewhere
+};
+
+/// What a number in `unit` is multiplied by to be one in `base`: 1000 for kW and W, 0.001
+/// for mbar and bar. Nothing where they differ by more than a prefix; with regard to
+/// case.
+[[nodiscard]] std::optional<double> unit_ratio(std::string_view unit,
+                                               std::string_view base);
+
+/// True for K or k, which stands for a thousand where other cells have no unit.
+[[nodiscard]] bool says_thousand(std::string_view unit);
+
+/// Cells of a column that were scaled.
+class ScaledCells {
+ public:
+  /// A cell with another prefix, in `unit`.
+  void add(std::string_view unit);
+  /// A cell with a K behind its number, as written. False: none of thousands.
+  [[nodiscard]] bool add_thousand(double written);
+  /// The values leave no gap where the K begins: 995, then 1.005 K.
+  [[nodiscard]] bool are_thousands(const std::vector<double>& values) const;
+  [[nodiscard]] std::size_t thousands() const { return thousands_; }
+  [[nodiscard]] std::size_t prefixed() const { return prefixed_; }
+  /// The first with another prefix.
+  [[nodiscard]] const std::string& unit() const { return unit_; }
+
+ private:
+  std::size_t thousands_ = 0;
+  std::size_t prefixed_ = 0;
+  std::string unit_;
 };
 
 }  // namespace workbench

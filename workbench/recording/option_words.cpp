@@ -6,18 +6,6 @@
 namespace workbench {
 namespace {
 
-const char* word_of(DateOrder order) {
-  switch (order) {
-    case DateOrder::dmy:
-      return "dmy";
-    case DateOrder::mdy:
-      return "mdy";
-    case DateOrder::ymd:
-      return "ymd";
-  }
-  return "";
-}
-
 void add(std::string& words, const char* option, const std::string& value) {
   if (!value.empty()) words += std::string(" ") + option + ' ' + shell_word(value);
 }
@@ -36,7 +24,7 @@ std::string option_words(const CsvOptions& options, std::optional<double> u_befo
   add(out, "--sp", options.names.sp);
   add(out, "--x", options.names.x);
   for (const std::string& load : options.names.loads) add(out, "--load", load);
-  if (options.date_order) add(out, "--date-order", word_of(*options.date_order));
+  if (options.date_order) add(out, "--date-order", name_of(*options.date_order));
   if (options.decimal) add(out, "--decimal", *options.decimal == ',' ? "comma" : "point");
   add(out, "--sheet", options.sheet);
   if (options.ts) add(out, "--ts", number(*options.ts, 9));

@@ -6,7 +6,6 @@
 
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
-#include "workbench/recording/folded.hpp"
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {

@@ -10,7 +10,7 @@
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/long_gaps.hpp"
-#include "workbench/recording/scattered_times.hpp"
+#include "workbench/recording/rounded_times.hpp"
 #include "workbench/recording/statistics.hpp"
 
 namespace workbench {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,8 +52,8 @@ class RowScanner {
   void reject(const InputError& why);
   /// This row is one. Throws what was rejected before it.
   void accept();
-  /// After the last row: throws what was rejected, unless it is a footer; returns notes.
-  [[nodiscard]] std::vector<std::string> finish();
+  /// After the last row: throws what was rejected, unless it is a footer; adds notes.
+  void finish(std::vector<std::string>& notes);
 
   /// About how many rows are left.
   [[nodiscard]] std::size_t likely_rows() const;
@@ -101,5 +102,16 @@ class RowScanner {
   Rejected remarks_;  // between the rows
   std::size_t rows_ = 0;
 };
+
+/// Whether a line that is no row is none without doubt: `cells` are those of the wanted
+/// columns, from the left, `first` that of the first row in the leftmost of them. One of
+/// them alone says something, and no number (`--- shift change ---`, `Page of shift B`);
+/// or the leftmost is Average, Min, Total or the like; or the line begins with a mark.
+/// Not where a cell is the name of a column or a unit that none has, for the columns may
+/// be others there, and not where rows begin with letters themselves, but with a mark.
+/// `behind_head`: the header stands above once more, and units may follow it.
+[[nodiscard]] bool is_remark(std::span<const std::string_view> cells,
+                             std::string_view first, const CsvLayout& layout,
+                             bool behind_head);
 
 }  // namespace workbench

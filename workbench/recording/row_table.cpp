@@ -1,8 +1,6 @@
 #include "workbench/recording/row_table.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -19,12 +17,6 @@ constexpr double kMostBad = 0.5;        // share of the rows of a required signa
 constexpr double kMostStrangers = 0.1;  // share of the rows with words nobody knows
 constexpr double kLatestLoad = 0.1;     // share of the rows before a load begins
 constexpr std::string_view kBadQuality = "bad quality";
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-bool is_required(const SignalRows& signal, const TableContext& context) {
-  return signal.column != Column::t &&
-         std::ranges::find(context.required, signal.column) != context.required.end();
-}
 
 std::string named(const SignalRows& signal) {
   return signal.column == Column::t ? quoted(signal.name)
@@ -120,11 +112,11 @@ void take_out_bad(RowTable& table, const TableContext& context) {
       const Quality quality = signal.scale.meaning(signal.quality[i]);
       signal.uncertain += quality == Quality::kUncertain;
       if (quality != Quality::kBad) continue;
-      signal.values[i] = kNothing;
+      signal.values[i] = kNoValue;
       if (signal.bad++ == 0) signal.bad_word = kBadQuality;
     }
     const auto rows = static_cast<double>(signal.values.size());
-    if (!is_required(signal, context) ||
+    if (!context.requires_it(signal) ||
         static_cast<double>(signal.bad) <= kMostBad * rows) {
       continue;
     }
@@ -211,7 +203,7 @@ void drop_empty(RowTable& table, const TableContext& context, ResampleReport& re
         signal->column == Column::t && first > 0 &&
         static_cast<double>(first) > kLatestLoad * static_cast<double>(rows);
     if (rows > 0 && (first == rows || late_load)) {
-      if (is_required(*signal, context)) {
+      if (context.requires_it(*signal)) {
         throw InputError(context.file, context.header_line, 1,
                          "values in column " + named(*signal), "only empty cells",
                          "export the column with its values");
@@ -251,7 +243,7 @@ HeldCells hold_empty(RowTable& table) {
     if (gaps == 0) continue;
     out.bad += std::min(signal.bad, gaps);
     if (signal.bad > 0 && out.example == nullptr) out.example = &signal;
-    double held = kNothing;
+    double held = kNoValue;
     for (double& value : signal.values) {
       if (std::isnan(value)) value = held;
       held = value;

@@ -1,20 +1,20 @@
 // Rows of a file between reading and resampling: times, and values with gaps.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "workbench/recording/bad_value.hpp"
-#include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/mark_doubt.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/resample.hpp"
-#include "workbench/recording/unit_scale.hpp"
 
 namespace workbench {
 
@@ -56,7 +56,13 @@ struct TableContext {
   const std::string& file;
   std::size_t header_line = 1;
   const std::vector<Column>& required;
+  [[nodiscard]] bool requires_it(const SignalRows& signal) const {
+    return signal.column != Column::t &&
+           std::ranges::find(required, signal.column) != required.end();
+  }
 };
+
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// The rows in reverse order, times aside.
 void turn(RowTable& table);

@@ -9,6 +9,7 @@
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/signal_suggestion.hpp"
 
 namespace workbench {
@@ -26,10 +27,9 @@ struct Loop {
 };
 
 bool is_first_rank(const ColumnName& name) {
-  for (const std::string_view word : {"u", "op", "y", "pv", "sp", "x", "pos", "mv"}) {
-    if (name.key == name.tag + std::string(word)) return true;
-  }
-  return false;
+  return name.key.starts_with(name.tag) &&
+         is_one_of(std::string_view(name.key).substr(name.tag.size()),
+                   "u|op|y|pv|sp|x|pos|mv");
 }
 
 class Chooser {

@@ -5,7 +5,6 @@
 #include "config/gateway.hpp"
 #include "workbench/recording/candump_log.hpp"
 #include "workbench/recording/csv.hpp"
-#include "workbench/recording/dbc_signals.hpp"
 #include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/tag_file.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -99,8 +98,7 @@ Recording read_tag_files(const RecordingSource& source) {
   try {
     return parse_csv(table, name, options);
   } catch (const InputError& error) {
-    // Lines are those of no file.
-    throw InputError(error.file, 0, 0, error.expected, error.found, error.advice);
+    throw InputError(error.without_line());
   }
 }
 

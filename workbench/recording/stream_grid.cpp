@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -13,7 +12,6 @@ namespace {
 
 constexpr double kOnTime = 0.10;  // of an interval: still this instant's sample
 constexpr double kLatest = 0.1;   // of the time span before an optional signal begins
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 class StreamGrid {
  public:
@@ -44,14 +42,14 @@ class StreamGrid {
     double first = -HUGE_VAL;
     double last = -HUGE_VAL;
     for (const Stream& stream : streams_) {
-      if (!is_required(stream) || stream.t.empty()) continue;
+      if (!context_.requires_it(stream.signal) || stream.t.empty()) continue;
       first = std::max(first, stream.t.front());
       last = std::max(last, stream.t.back());
     }
     std::erase_if(streams_, [&](const Stream& stream) {
       const bool late =
           stream.t.empty() || stream.t.front() > first + kLatest * (last - first);
-      if (is_required(stream) || !late) return false;
+      if (context_.requires_it(stream.signal) || !late) return false;
       report_.notes.push_back(quoted(stream.signal.name) +
                               (stream.t.empty() ? " has no value at all: taken as absent"
                                                 : " begins late: left out"));
@@ -59,16 +57,11 @@ class StreamGrid {
     });
   }
 
-  [[nodiscard]] bool is_required(const Stream& stream) const {
-    const std::vector<Column>& required = context_.required;
-    return stream.signal.column != Column::t &&
-           std::ranges::find(required, stream.signal.column) != required.end();
-  }
-
   // Whether how often and how long it was recorded counts for all: what is required does;
   // where nothing is, whatever has samples.
   [[nodiscard]] bool decides(const Stream& stream) const {
-    return context_.required.empty() ? stream.t.size() > 1 : is_required(stream);
+    return context_.required.empty() ? stream.t.size() > 1
+                                     : context_.requires_it(stream.signal);
   }
 
   [[nodiscard]] RowTable merged() {
@@ -78,7 +71,7 @@ class StreamGrid {
     double period = HUGE_VAL;
     std::size_t samples = 0;
     for (const Stream& stream : streams_) {
-      if (stream.t.size() < 2 && is_required(stream)) {
+      if (stream.t.size() < 2 && context_.requires_it(stream.signal)) {
         throw InputError(context_.file, context_.header_line, 0,
                          "at least 2 samples of " + quoted(stream.signal.name),
                          std::to_string(stream.t.size()),
@@ -133,7 +126,7 @@ class StreamGrid {
             next_time(stream, row, table.t.back()) - stream.t[row] > silent_s;
         const bool own_instant = table.t[k] < stream.t[row] + (1 - kOnTime) * period;
         const bool nothing = silent && !own_instant;
-        values[k] = nothing ? kNothing : stream.signal.values[row];
+        values[k] = nothing ? kNoValue : stream.signal.values[row];
         if (nothing) own[k] = true;  // not held: left without a value
         if (first) table.line[k] = stream.line[row];
       }

@@ -1,4 +1,4 @@
-// One tag of an export in which each has times of its own.
+// One tag of an export in which each has times of its own, and the order of its rows.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "workbench/recording/csv_source.hpp"
+#include "workbench/recording/recording.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/row_scanner.hpp"
 #include "workbench/recording/row_table.hpp"
@@ -56,5 +57,16 @@ void sort(Stream& stream);
 
 /// Samples without value go, with a note; the grid then holds the one before.
 void drop_gaps(Stream& stream, ResampleReport& report);
+
+/// Sorts the samples of `stream` by their times, with a note that is given once:
+/// - stretches that rise and do not overlap: the parts of the file were put together in
+///   another order;
+/// - stretches that overlap and say the same there: they were exported twice;
+/// - up to two rows, or one in a hundred, out of place;
+/// - more than one row in twenty before the row above it: a table without an order.
+/// Else the clock was set back, or two recordings are mixed: throws InputError naming the
+/// first row that is too early. `times`: of stream.t. O(n log n).
+void put_in_order(Stream& stream, const TimesOfRows& times, const std::string& file,
+                  ResampleReport& report);
 
 }  // namespace workbench

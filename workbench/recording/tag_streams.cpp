@@ -10,11 +10,9 @@
 #include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_table.hpp"
-#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/stopped.hpp"
 #include "workbench/recording/stream_grid.hpp"
-#include "workbench/recording/stream_order.hpp"
 #include "workbench/recording/tag_stream.hpp"
 #include "workbench/recording/time_order.hpp"
 #include "workbench/recording/written_zone.hpp"
@@ -77,11 +75,7 @@ class StreamReader {
  private:
   void add_sample(RowScanner& rows, Stream& stream, const TimeSlots& slots,
                   std::size_t value, std::optional<std::size_t> quality) {
-    if (stream.line.size() >= kMaxSamples) {
-      throw InputError(source_.file, rows.line(), 0,
-                       "at most " + std::to_string(kMaxSamples) + " rows", "more",
-                       "split the recording");
-    }
+    require_room(source_, rows, stream.line.size());
     if (stream.line.empty()) {
       stream.first_cell = {rows.line(), rows.column(slots.column),
                            std::string(rows.cell(slots.column))};
@@ -132,7 +126,7 @@ class StreamReader {
         add_sample(rows, stream, slots, values[i].in(rows), values[i].quality);
       }
     }
-    for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
+    rows.finish(report.notes);
     if (counted) require_equal_counts();
   }
 
@@ -254,15 +248,8 @@ class StreamReader {
 
   void add_stream(Column column, const ColumnName& name, const TimePlace& time,
                   std::optional<std::size_t> quality) {
-    SignalRows signal;
-    signal.column = column;
-    signal.name = name.text;
-    signal.unit = name.unit;
-    if (quality) {
-      signal.scale =
-          QualityScale(marks_bad(source_.layout.columns[*quality].name.pieces));
-    }
-    streams_.emplace_back(std::move(signal), time_column_of(source_, time));
+    streams_.emplace_back(rows_of(source_, column, name, quality),
+                          time_column_of(source_, time));
   }
 
   void read_pairs(ResampleReport& report) {
@@ -297,7 +284,7 @@ class StreamReader {
       if (error && samples > 0) throw InputError(*error);
       if (error) rows.reject(*error);
     }
-    for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
+    rows.finish(report.notes);
   }
 
   // Times of one signal in s of the common origin, sorted, without gaps and repeats.

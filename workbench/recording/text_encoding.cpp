@@ -95,12 +95,6 @@ constexpr auto kForeignFormats = std::to_array<ForeignFormat>({
     {"RIFF"sv, "a picture (WebP) or a recording of sound", kNoNumbers, true},
 });
 
-bool begins_without_case(std::string_view text, std::string_view what) {
-  return text.size() >= what.size() &&
-         std::equal(what.begin(), what.end(), text.begin(),
-                    [](char a, char b) { return a == lower_case(b); });
-}
-
 std::string_view from_first(std::string_view text, std::size_t at) {
   return text.substr(std::min(text.find_first_not_of(" \t\r\n", at), text.size()));
 }
@@ -188,29 +182,20 @@ void refuse_foreign(std::string_view text, const std::string& file) {
   if (is_matlab_matrix(start)) {
     refuse("a MATLAB matrix", "write it as CSV: writematrix(data, 'loop.csv')");
   }
-  for (const std::string_view tag :
-       {"<html"sv, "<!doctype"sv, "<table"sv, "<?xml"sv, "<workbook"sv}) {
-    if (begins_without_case(start, tag)) {
-      refuse("a web page or XML table (some systems call it .xls)", kSaveSheet);
-    }
+  if (begins_with_one_of(lower_case(start), "<html|<!doctype|<table|<?xml|<workbook")) {
+    refuse("a web page or XML table (some systems call it .xls)", kSaveSheet);
   }
 }
 
 void append_utf8(std::string& out, std::uint32_t code) {
   if (code < 0x80) {
     out += static_cast<char>(code);
-  } else if (code < 0x800) {
-    out += static_cast<char>(0xC0 | code >> 6);
-    out += static_cast<char>(0x80 | (code & 0x3F));
-  } else if (code < 0x10000) {
-    out += static_cast<char>(0xE0 | code >> 12);
-    out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-    out += static_cast<char>(0x80 | (code & 0x3F));
-  } else {
-    out += static_cast<char>(0xF0 | code >> 18);
-    out += static_cast<char>(0x80 | (code >> 12 & 0x3F));
-    out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-    out += static_cast<char>(0x80 | (code & 0x3F));
+    return;
+  }
+  const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;  // bytes behind the first
+  out += static_cast<char>((0xFF00 >> (more + 1) & 0xFF) | code >> 6 * more);
+  for (int left = more; left-- > 0;) {
+    out += static_cast<char>(0x80 | (code >> 6 * left & 0x3F));
   }
 }
 

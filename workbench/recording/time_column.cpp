@@ -1,14 +1,11 @@
 #include "workbench/recording/time_column.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "workbench/recording/clock_digits.hpp"
 #include "workbench/recording/date_count.hpp"
-#include "workbench/recording/date_digits.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
-#include "workbench/recording/rounded_count.hpp"
 #include "workbench/recording/time_spelling.hpp"
 
 namespace workbench {
@@ -18,12 +15,6 @@ using Day = WrittenTime::Day;
 
 constexpr double kDayS = 86400;
 constexpr double kHourS = 3600;
-constexpr double kFinest = 1e7;  // ticks a second that clock times keep (.NET's 100 ns)
-
-double tidy(double seconds) {
-  return std::round(seconds * kFinest) / kFinest;
-}
-
 // Days written with few digits, or so meant: all within 20 ms of whole seconds.
 void round_to_seconds(std::vector<double>& t, double& origin) {
   constexpr double kFewDigits = 0.02;

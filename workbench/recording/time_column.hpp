@@ -1,6 +1,7 @@
 // The times of a recording: from cells as written to seconds, once all rows are known.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -97,6 +98,8 @@ class TimeColumn {
   void take_clock(TimesOfRows& out);
   [[nodiscard]] bool minutes_and_seconds(TimesOfRows& out) const;
   void take_dates(TimesOfRows& out);
+  // Clock times keep ticks of 100 ns, as .NET does.
+  [[nodiscard]] static double tidy(double s) { return std::round(s * 1e7) / 1e7; }
 
   TimeForm form_;
   double unit_s_;

@@ -13,12 +13,6 @@ namespace {
 using Day = WrittenTime::Day;
 
 constexpr double kDayS = 86400;
-constexpr double kFinest = 1e7;  // ticks a second that clock times keep (.NET's 100 ns)
-
-double tidy(double seconds) {
-  return std::round(seconds * kFinest) / kFinest;
-}
-
 }  // namespace
 
 bool TimeColumn::add_day(const WrittenTime& time) {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "workbench/recording/cell_number.hpp"
-#include "workbench/recording/folded.hpp"
+#include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_table.hpp"
 
 namespace workbench {
@@ -18,15 +18,15 @@ enum class TimePart : std::size_t { kYear, kMonth, kDay, kHour, kMinute, kSecond
 
 // Year to second; MM is what its place says.
 constexpr std::array<std::string_view, kDateParts> kWords = {
-    " year years yr yyyy yy jahr annee ano anio anno jaar ar rok 年 연 년 ",
-    " month months mon mm mo monat mois mes mese maand manad miesiac 月 월 ",
-    " day days dd d tag jour dia giorno dag dzien 日 일 ",
-    " hour hours hr hrs hh h stunde stunden std heure heures hora horas ora ore uur "
-    "timme godzina 时 時 小时 시 ",
-    " minute minutes min mins mm mi m minuten minuto minutos minuti minuut minuta 分 "
-    "分钟 분 ",
-    " second seconds sec secs ss s sekunde sekunden sek seconde secondes segundo "
-    "segundos secondo secondi sekund sekunda 秒 초 "};
+    "year|years|yr|yyyy|yy|jahr|annee|ano|anio|anno|jaar|ar|rok|年|연|년",
+    "month|months|mon|mm|mo|monat|mois|mes|mese|maand|manad|miesiac|月|월",
+    "day|days|dd|d|tag|jour|dia|giorno|dag|dzien|日|일",
+    "hour|hours|hr|hrs|hh|h|stunde|stunden|std|heure|heures|hora|horas|ora|ore|uur|"
+    "timme|godzina|时|時|小时|시",
+    "minute|minutes|min|mins|mm|mi|m|minuten|minuto|minutos|minuti|minuut|minuta|分|"
+    "分钟|분",
+    "second|seconds|sec|secs|ss|s|sekunde|sekunden|sek|seconde|secondes|segundo|"
+    "segundos|secondo|secondi|sekund|sekunda|秒|초"};
 
 constexpr double kFirstYear = 1970;
 constexpr double kLastYear = 2100;
@@ -40,9 +40,8 @@ bool holds_numbers(const LayoutColumn& column) {
 
 bool is_named(const LayoutColumn& column, TimePart part) {
   if (!holds_numbers(column) || column.name.pieces.empty()) return false;
-  const std::string word = folded(column.name.pieces.back());
-  return kWords[static_cast<std::size_t>(part)].find(' ' + word + ' ') !=
-         std::string_view::npos;
+  return is_one_of(folded(column.name.pieces.back()),
+                   kWords[static_cast<std::size_t>(part)]);
 }
 
 // The columns of `parts` in that order, from `first` on.

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "wire/text.hpp"
-#include "workbench/recording/date_digits.hpp"
+#include "workbench/recording/date_count.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/long_format.hpp"
@@ -90,11 +90,7 @@ std::optional<TimePlace> TimeFinder::find() const {
 }
 
 std::optional<std::size_t> TimeFinder::column() const {
-  const auto first = [this](auto condition) -> std::optional<std::size_t> {
-    const auto found = std::ranges::find_if(columns_, condition);
-    if (found == columns_.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - columns_.begin());
-  };
+  const auto first = [this](auto fits) { return first_column(columns_, fits); };
   std::optional<std::size_t> column = first([](const LayoutColumn& c) {
     return role_of(c.name.text) == Column::t && c.content != Content::kText;
   });

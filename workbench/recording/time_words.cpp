@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "workbench/recording/folded.hpp"
 #include "workbench/recording/letters.hpp"
 
 namespace workbench {

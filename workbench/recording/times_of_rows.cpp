@@ -67,10 +67,7 @@ std::string clock_text(const TimesOfRows& times, double t) {
     out += text.data();
   }
   if (times.zoned) {
-    const int zone = std::abs(static_cast<int>(times.zone_min));
-    std::snprintf(text.data(), text.size(), "%c%02d:%02d", times.zone_min < 0 ? '-' : '+',
-                  zone / 60, zone % 60);
-    out += zone == 0 ? "Z" : text.data();
+    out += times.zone_min == 0 ? "Z" : zone_text({times.zone_min, nullptr});
   }
   return out;
 }

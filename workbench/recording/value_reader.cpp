@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "workbench/recording/bad_value.hpp"
-#include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/column_words.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/mark_doubt.hpp"
 #include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_parts.hpp"
@@ -61,7 +60,7 @@ bool ValueReader::append_truth(const RowScanner& row, std::size_t slot,
   }
   signal.truths += truth ? 1 : 0;
   signal.values.push_back(truth          ? *truth
-                          : cell.empty() ? std::numeric_limits<double>::quiet_NaN()
+                          : cell.empty() ? kNoValue
                                          : static_cast<double>(cell == "1"));
   return true;
 }
@@ -69,7 +68,7 @@ bool ValueReader::append_truth(const RowScanner& row, std::size_t slot,
 void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& signal) {
   if (append_truth(row, slot, signal)) return;
   const std::string_view cell = row.cell(slot);
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = kNoValue;
   if (!cell.empty()) {
     std::string_view unit;
     const NumberReader::Result result = read(cell, value, unit);
@@ -93,7 +92,7 @@ void ValueReader::append(const RowScanner& row, std::size_t slot, SignalRows& si
         if (!signal.stranger) signal.stranger = error;
         signal.strangers.add(cell);
       }
-      value = std::numeric_limits<double>::quiet_NaN();
+      value = kNoValue;
       if (signal.bad++ == 0) signal.bad_word = utf8_of(cell.substr(0, 40));
     }
   }

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "workbench/recording/bad_code.hpp"
 #include "workbench/recording/cut_times.hpp"
 #include "workbench/recording/mode_column.hpp"
-#include "workbench/recording/quality_words.hpp"
 #include "workbench/recording/restarts.hpp"
 #include "workbench/recording/row_table.hpp"
 #include "workbench/recording/stopped.hpp"
@@ -18,7 +16,6 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 class WideReader {
  public:
@@ -33,16 +30,8 @@ class WideReader {
       has_time_ = true;
     }
     for (const SignalPlace& place : source.choice.signals) {
-      const ColumnName& name = source.layout.columns[place.index].name;
-      SignalRows signal;
-      signal.column = place.column;
-      signal.name = name.text;
-      signal.unit = name.unit;
-      if (place.quality) {
-        const ColumnName& quality = source.layout.columns[*place.quality].name;
-        signal.scale = QualityScale(marks_bad(quality.pieces));
-      }
-      table_.signals.push_back(std::move(signal));
+      table_.signals.push_back(rows_of(
+          source, place.column, source.layout.columns[place.index].name, place.quality));
       value_slots_.push_back(want(wanted_, place.index));
       quality_slots_.push_back(place.quality ? want(wanted_, *place.quality) : kNone);
     }
@@ -66,7 +55,7 @@ class WideReader {
       read_row(rows);
     }
     ResampleReport& report = out.resampling;
-    for (std::string& note : rows.finish()) report.notes.push_back(std::move(note));
+    rows.finish(report.notes);
     if (has_time_) {
       put_in_order(report);
       if (have_own_rows()) return false;
@@ -147,11 +136,7 @@ class WideReader {
   }
 
   void read_row(RowScanner& rows) {
-    if (table_.line.size() >= kMaxSamples) {
-      throw InputError(source_.file, rows.line(), 0,
-                       "at most " + std::to_string(kMaxSamples) + " rows", "more",
-                       "split the recording");
-    }
+    require_room(source_, rows, table_.line.size());
     if (has_time_) {
       if (!reader_.append_time(rows, slots_, times_)) {
         rows.reject(reader_.time_error(rows, slots_, times_.form()));
@@ -173,7 +158,7 @@ class WideReader {
       SignalRows& signal = table_.signals[i];
       if (signal.is_mode) {
         const std::string_view cell = rows.cell(value_slots_[i]);
-        signal.values.push_back(cell.empty() ? kNothing : mode_code(cell));
+        signal.values.push_back(cell.empty() ? kNoValue : mode_code(cell));
         continue;
       }
       reader_.append(rows, value_slots_[i], signal);

@@ -9,7 +9,6 @@
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/open_document.hpp"
 #include "workbench/recording/sheet_date.hpp"
-#include "workbench/recording/sheet_text.hpp"
 #include "workbench/recording/zip_parts.hpp"
 
 namespace workbench {

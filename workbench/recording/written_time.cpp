@@ -11,16 +11,8 @@
 namespace workbench {
 namespace {
 
-// Days from 1 January 1970; none where the calendar has no such day.
-std::optional<std::int32_t> day_number(int year, int month, int day) {
-  if (year < 1 || year > 9999 || month < 1 || month > 12 || day < 1 || day > 31) {
-    return std::nullopt;
-  }
-  const std::chrono::year_month_day date(std::chrono::year(year),
-                                         std::chrono::month(static_cast<unsigned>(month)),
-                                         std::chrono::day(static_cast<unsigned>(day)));
-  if (!date.ok()) return std::nullopt;
-  return std::chrono::sys_days(date).time_since_epoch().count();
+int with_century(int year) {
+  return year + (year < 70 ? 2000 : 1900);
 }
 
 struct Number {
@@ -235,7 +227,7 @@ class TimeText {
   }
 
   static int full_year(const Number& year) {
-    return year.digits == 4 ? year.value : year.value + (year.value < 70 ? 2000 : 1900);
+    return year.digits == 4 ? year.value : with_century(year.value);
   }
 
   bool read_late_year() {
@@ -368,17 +360,25 @@ std::optional<WrittenTime> written_time(std::string_view cell,
   return plain ? TimeText(*plain, order).read() : std::nullopt;
 }
 
+std::optional<std::int32_t> day_number(int year, int month, int day) {
+  if (year < 1 || year > 9999 || month < 1 || day < 1) return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (month > 12 || day > 31 || !date.ok()) return std::nullopt;
+  return std::chrono::sys_days(date).time_since_epoch().count();
+}
+
 std::optional<std::int32_t> day_of(std::uint32_t numbers, WrittenTime::Day kind,
                                    DateOrder order) {
   const int first = static_cast<int>(numbers >> 24);
   const int second = static_cast<int>(numbers >> 16 & 0xFF);
   const int third = static_cast<int>(numbers & 0xFFFF);
-  const auto century = [](int year) { return year + (year < 70 ? 2000 : 1900); };
   if (order == DateOrder::ymd) {
     if (kind == WrittenTime::Day::kYearLast) return std::nullopt;
-    return day_number(century(first), second, third);
+    return day_number(with_century(first), second, third);
   }
-  const int year = kind == WrittenTime::Day::kYearLast ? third : century(third);
+  const int year = kind == WrittenTime::Day::kYearLast ? third : with_century(third);
   return order == DateOrder::dmy ? day_number(year, second, first)
                                  : day_number(year, first, second);
 }

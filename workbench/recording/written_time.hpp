@@ -11,6 +11,9 @@
 namespace workbench {
 
 enum class DateOrder : std::uint8_t { dmy, mdy, ymd };
+[[nodiscard]] constexpr const char* name_of(DateOrder order) {
+  return order == DateOrder::dmy ? "dmy" : order == DateOrder::mdy ? "mdy" : "ymd";
+}
 
 /// A cell taken apart. The day is known, or its three numbers still wait for the order
 /// that the whole column shows.
@@ -53,6 +56,9 @@ struct WrittenTime {
 /// else, impossible days included. 60 ns.
 [[nodiscard]] std::optional<WrittenTime> written_time(
     std::string_view cell, std::optional<DateOrder> order = std::nullopt);
+
+/// Days from 1 January 1970; none where the calendar has no such day.
+[[nodiscard]] std::optional<std::int32_t> day_number(int year, int month, int day);
 
 /// The day that three packed numbers mean in an order; nullopt where there is none.
 [[nodiscard]] std::optional<std::int32_t> day_of(std::uint32_t numbers,

@@ -23,7 +23,9 @@ std::string second_cells(const std::string& text, bool plain) {
       rows.accept();
       cells += std::string(rows.cell(0)) + ' ';
     }
-    for (const std::string& note : rows.finish()) cells += '(' + note + ')';
+    std::vector<std::string> notes;
+    rows.finish(notes);
+    for (const std::string& note : notes) cells += '(' + note + ')';
   } catch (const InputError& error) {
     return error.what();
   }

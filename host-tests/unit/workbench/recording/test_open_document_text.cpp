@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "workbench/recording/sheet_text.hpp"
+#include "workbench/recording/open_document.hpp"
 
 namespace workbench {
 namespace {

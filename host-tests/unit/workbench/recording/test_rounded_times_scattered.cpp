@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "workbench/recording/resample.hpp"
-#include "workbench/recording/scattered_times.hpp"
+#include "workbench/recording/rounded_times.hpp"
 
 namespace workbench {
 namespace {

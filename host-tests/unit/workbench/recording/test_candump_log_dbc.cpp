@@ -4,7 +4,7 @@
 #include <string>
 
 #include "support/base/temporary_folder.hpp"
-#include "workbench/recording/dbc_signals.hpp"
+#include "workbench/recording/candump_log.hpp"
 
 namespace workbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "workbench/recording/csv.hpp"
-#include "workbench/recording/unit_scale.hpp"
+#include "workbench/recording/mark_doubt.hpp"
 
 namespace workbench {
 namespace {

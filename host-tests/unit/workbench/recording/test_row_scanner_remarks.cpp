@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "workbench/recording/csv.hpp"
-#include "workbench/recording/remark_line.hpp"
+#include "workbench/recording/row_scanner.hpp"
 
 namespace workbench {
 namespace {

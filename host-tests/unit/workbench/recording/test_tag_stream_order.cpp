@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/stream_order.hpp"
+#include "workbench/recording/tag_stream.hpp"
 
 namespace workbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/recording/own_times.hpp"
+#include "workbench/recording/column_choice.hpp"
 
 namespace workbench {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "workbench/recording/bracketed_number.hpp"
 #include "workbench/recording/csv.hpp"
+#include "workbench/recording/mark_doubt.hpp"
 
 namespace workbench {
 namespace {

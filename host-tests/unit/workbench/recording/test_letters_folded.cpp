@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "workbench/recording/folded.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench {
 namespace {

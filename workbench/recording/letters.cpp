@@ -1,9 +1,7 @@
-#include "workbench/recording/folded.hpp"
+#include "workbench/recording/letters.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
-#include "workbench/recording/letters.hpp"
 #include "workbench/recording/text_encoding.hpp"
 
 namespace workbench {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "workbench/recording/date_digits.hpp"
+#include "workbench/recording/date_count.hpp"
 
 namespace workbench {
 namespace {

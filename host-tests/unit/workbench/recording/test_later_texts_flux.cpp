@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "workbench/recording/csv.hpp"
-#include "workbench/recording/flux_tables.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/later_texts.hpp"
 
 namespace workbench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "workbench/recording/rounded_count.hpp"
+#include "workbench/recording/date_count.hpp"
 
 namespace workbench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "workbench/recording/word_counts.hpp"
+#include "workbench/recording/bad_value.hpp"
 
 namespace workbench {
 namespace {
