@@ -1,7 +1,8 @@
-// Numbers as files spell them.
+// Numbers as files spell them, in other letters than those of programs, too.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace workbench {
@@ -33,7 +34,7 @@ class NumberEvidence {
 /// columns. In an export a number may be grouped in threes by the other mark, a blank,
 /// a no-break blank or an apostrophe, where that is unambiguous: 1.234,5 or 1,234,567, or
 /// 1.234 once another number of the first rows showed 1.234,5; and be spelled as
-/// number_spelling.hpp says. About 20 ns a number.
+/// plain_number() says. About 20 ns a number.
 class NumberReader {
  public:
   enum class Result { kOk, kText, kNotFinite, kMixedMarks, kUnclear };
@@ -58,5 +59,15 @@ class NumberReader {
 /// A cell that as a whole is a number with a decimal point, as programs write them: no
 /// sign +, no groups, no unit. Nothing for any other.
 [[nodiscard]] std::optional<double> as_number(std::string_view cell);
+
+/// A cell of a number in the letters that programs read: without no-break and thin blanks
+/// around it; U+2212, a dash or a minus behind (44.9-, as SAP writes) as '-' in front;
+/// full-width and Arabic digits and marks as ASCII; D in the exponent as E; without the
+/// apostrophe in front or ="" around by which spreadsheets keep text; 1,23,456.7, as
+/// India groups digits, in groups of three. Nothing: the cell needs none of this.
+[[nodiscard]] std::optional<std::string> plain_number(std::string_view cell);
+
+/// Without blanks around it, no-break and thin ones included.
+[[nodiscard]] std::string_view without_blanks(std::string_view cell);
 
 }  // namespace workbench

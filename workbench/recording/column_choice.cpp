@@ -8,7 +8,6 @@
 #include "workbench/recording/long_format.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/quality_words.hpp"
-#include "workbench/recording/row_keys.hpp"
 
 namespace workbench {
 namespace {

@@ -48,7 +48,7 @@ struct ColumnChoice {
 
 /// Chooses by names and contents. The time is what time_place.hpp finds.
 /// Long format is told by a tag and a value column without u and y beside them, or by
-/// rows of several loops in turn (row_keys.hpp). A quality column belongs to the signal
+/// rows of several loops in turn (row_keys()). A quality column belongs to the signal
 /// in its name, the only one of the file to all, another to the column left of it, or
 /// right of it where that is the only one with values. Throws
 /// as choose_signals(), and InputError when no time is found although `time_needed`.

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/number_spelling.hpp"
 #include "workbench/recording/quality_words.hpp"
 
 namespace workbench {
@@ -114,9 +114,8 @@ using PartWord = std::pair<std::string_view, Part>;
 std::vector<PartWord> sorted_words() {
   std::vector<PartWord> out;
   for (const auto& [part, words] : kPartWords) {
-    (void)any_word(words, [&out, part = part](std::string_view word) {
+    for_each_word(words, [&out, part = part](std::string_view word) {
       out.emplace_back(word, part);
-      return false;
     });
   }
   std::ranges::sort(out);

@@ -44,7 +44,7 @@ struct CsvOptions {
 /// table. UTF-16 and Windows-1252 too (text_encoding.hpp); preambles, units and rows
 /// of units (csv_layout.hpp); tags and which of them are u and y (signal_choice.hpp);
 /// dates, epochs and Excel's days (written_time.hpp, time_column.hpp), newest first and
-/// daylight saving (time_order.hpp); long format and signals with times of their own
+/// daylight saving (times_of_rows.hpp); long format and signals with times of their own
 /// (tag_streams.hpp); thousands separators (cell_number.hpp); qualities.
 ///
 /// In both, an empty cell and a word for "no value" (bad_value.hpp has the list, which

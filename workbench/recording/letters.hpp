@@ -43,6 +43,10 @@ template <class Fits>
     words.remove_prefix(end + 1);
   }
 }
+template <class Take>
+constexpr void for_each_word(std::string_view words, Take take) {
+  (void)any_word(words, [&take](std::string_view word) { return take(word), false; });
+}
 /// Whether the text is one of such words, letter for letter. Some 50 ns.
 [[nodiscard]] constexpr bool is_one_of(std::string_view text, std::string_view words) {
   if (text.empty() || text.find('|') != std::string_view::npos) return false;

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/number_spelling.hpp"
 
 namespace workbench {
 namespace {

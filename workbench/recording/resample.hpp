@@ -42,7 +42,7 @@ struct Spacing {
 /// Moves `rows` into `out` on a grid of equal steps from the first time stamp on.
 /// When every interval is within 10 % of a multiple of the period, each row keeps
 /// its own instant and only the instants between are filled by holding; so it does where
-/// the stamps scatter about equal steps (scattered_times.hpp); otherwise
+/// the stamps scatter about equal steps (rounded_times.hpp); otherwise
 /// the value at an instant is that of the last row not later than a tenth of a
 /// period after it. What lies between recordings is a gap of the report, and none of its
 /// other numbers counts it. Fills t, the values, period_s and the report of `out`;

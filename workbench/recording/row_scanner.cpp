@@ -166,12 +166,8 @@ bool RowScanner::is_cut_off() const {
 
 InputError RowScanner::error(std::size_t slot, std::string expected, std::string found,
                              std::string advice) const {
-  return {file_,
-          line_,
-          found_[slot].column,
-          std::move(expected),
-          std::move(found),
-          std::move(advice)};
+  return InputError(file_, line_, found_[slot].column, std::move(expected),
+                    std::move(found), std::move(advice));
 }
 
 bool RowScanner::is_remark() const {

@@ -22,7 +22,7 @@ namespace workbench {
 /// left out, and noted. In an export empty lines are skipped, cells beyond the header may
 /// be empty, cells may lack at the end where nothing wanted stands, and up to
 /// kMostFooterLines lines at the end may be no rows at all (a count of rows, a
-/// signature): they are noted. So are lines of words between the rows (remark_line.hpp),
+/// signature): they are noted. So are lines of words between the rows (is_remark()),
 /// at most one for ten rows, unless rows are counted. About 1 ns a byte.
 inline constexpr std::size_t kMostFooterLines = 5;
 

@@ -1,4 +1,5 @@
-// One tag of an export in which each has times of its own, and the order of its rows.
+// One tag of an export in which each has times of its own, the order of its rows, and
+// all of them side by side.
 #pragma once
 
 #include <cstddef>
@@ -68,5 +69,12 @@ void drop_gaps(Stream& stream, ResampleReport& report);
 /// first row that is too early. `times`: of stream.t. O(n log n).
 void put_in_order(Stream& stream, const TimesOfRows& times, const std::string& file,
                   ResampleReport& report);
+
+/// A table of all streams, whose times rise. Equal times of all stay as they are;
+/// otherwise it is the grid that tag_streams.hpp describes, and `on_grid` is set. Counts
+/// and notes what it does. Throws InputError when u and y do not overlap in time or have
+/// fewer than two samples.
+[[nodiscard]] RowTable merged(std::vector<Stream> streams, const TableContext& context,
+                              ResampleReport& report, bool& on_grid);
 
 }  // namespace workbench

@@ -6,15 +6,14 @@
 #include <unordered_map>
 #include <utility>
 
-#include "workbench/recording/bad_code.hpp"
 #include "workbench/recording/bad_value.hpp"
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/line_table.hpp"
 #include "workbench/recording/row_table.hpp"
+#include "workbench/recording/rows_without.hpp"
 #include "workbench/recording/stopped.hpp"
-#include "workbench/recording/stream_grid.hpp"
 #include "workbench/recording/tag_stream.hpp"
-#include "workbench/recording/time_order.hpp"
+#include "workbench/recording/times_of_rows.hpp"
 #include "workbench/recording/written_zone.hpp"
 
 namespace workbench {

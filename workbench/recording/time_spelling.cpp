@@ -16,51 +16,49 @@
 namespace workbench {
 namespace {
 
-using namespace std::string_view_literals;
-
-constexpr auto kMarks = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"年", "-"},
-    {"月", "-"},
-    {"日", " "},
-    {"時", ":"},
-    {"时", ":"},
-    {"点", ":"},
-    {"分", ":"},
-    {"秒", ""},
-    {"년", "-"},
-    {"월", "-"},
-    {"일", " "},
-    {"시", ":"},
-    {"분", ":"},
-    {"초", ""},
-    {"\xC2\xA0", " "},
-    {"\xE2\x80\xAF", " "},
+// Beginnings, of which a longer one stands before the shorter; letters of UTF-8 folded.
+// English, German, French, Spanish, Italian, Portuguese, Dutch, Swedish, Polish, Turkish,
+// Finnish, Russian.
+constexpr auto kMonths = std::to_array<std::pair<std::string_view, int>>({
+    {"marras", 11}, {"jan", 1},   {"j\xE4n", 1}, {"gen", 1},   {"ene", 1},    {"sty", 1},
+    {"oca", 1},     {"tammi", 1}, {"янв", 1},    {"feb", 2},   {"fev", 2},    {"lut", 2},
+    {"sub", 2},     {"helmi", 2}, {"фев", 2},    {"mar", 3},   {"m\xE4r", 3}, {"mrz", 3},
+    {"mrt", 3},     {"maer", 3},  {"maalis", 3}, {"мар", 3},   {"apr", 4},    {"avr", 4},
+    {"abr", 4},     {"kwi", 4},   {"nis", 4},    {"huhti", 4}, {"апр", 4},    {"may", 5},
+    {"mai", 5},     {"maj", 5},   {"mag", 5},    {"mei", 5},   {"touko", 5},  {"мая", 5},
+    {"май", 5},     {"jun", 6},   {"juin", 6},   {"giu", 6},   {"cze", 6},    {"haz", 6},
+    {"kesa", 6},    {"июн", 6},   {"jul", 7},    {"juil", 7},  {"lug", 7},    {"lip", 7},
+    {"tem", 7},     {"heina", 7}, {"июл", 7},    {"aug", 8},   {"aou", 8},    {"ago", 8},
+    {"sie", 8},     {"elo", 8},   {"авг", 8},    {"sep", 9},   {"set", 9},    {"wrz", 9},
+    {"eyl", 9},     {"syys", 9},  {"сен", 9},    {"oct", 10},  {"okt", 10},   {"ott", 10},
+    {"out", 10},    {"paz", 10},  {"eki", 10},   {"loka", 10}, {"окт", 10},   {"nov", 11},
+    {"lis", 11},    {"kas", 11},  {"ноя", 11},   {"dec", 12},  {"dez", 12},   {"dic", 12},
+    {"gru", 12},    {"ara", 12},  {"joulu", 12}, {"дек", 12},
 });
 
-constexpr auto kHalves = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"午前", "AM"},
-    {"上午", "AM"},
-    {"오전", "AM"},
-    {"a. m.", "AM"},
-    {"a. m", "AM"},
-    {"午後", "PM"},
-    {"下午", "PM"},
-    {"오후", "PM"},
-    {"p. m.", "PM"},
-    {"p. m", "PM"},
-});
+using Spelling = std::pair<std::string_view, std::string_view>;
+
+constexpr auto kMarks = std::to_array<Spelling>({{"年|月|년|월", "-"},
+                                                 {"日|일|\xC2\xA0|\xE2\x80\xAF", " "},
+                                                 {"時|时|点|分|시|분", ":"},
+                                                 {"秒|초", ""}});
+
+constexpr auto kHalves = std::to_array<Spelling>(
+    {{"午前|上午|오전|a. m.|a. m", "AM"}, {"午後|下午|오후|p. m.|p. m", "PM"}});
 
 // Between a date and its time of day.
-constexpr std::array kBetween = {" kl. "sv, " kl "sv, " klo "sv, " um "sv,
-                                 " at "sv,  " à "sv,  " г., "sv, " г. "sv};
+constexpr std::string_view kBetween = " kl. | kl | klo | um | at | à | г.,| г. ";
 
-bool replace(std::string& text, std::string_view from, std::string_view to) {
+// Of each of the words, in their order.
+bool replace(std::string& text, std::string_view words, std::string_view to) {
   bool found = false;
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-    found = true;
-  }
+  for_each_word(words, [&](std::string_view from) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size())) {
+      text.replace(at, from.size(), to);
+      found = true;
+    }
+  });
   return found;
 }
 
@@ -191,6 +189,22 @@ std::optional<std::string> literal(std::string_view cell) {
 
 }  // namespace
 
+int month_named(std::string_view lower) {
+  const std::string plain = folded(lower);
+  for (const auto& [name, month] : kMonths) {
+    if (plain.starts_with(name)) return month;
+  }
+  return 0;
+}
+
+bool is_weekday(std::string_view lower) {
+  constexpr std::string_view kShort =
+      "mo|mon|tue|tues|wed|thu|thur|thurs|fri|sat|sun|di|mi|do|fr|sa|so";
+  if (is_one_of(lower, kShort)) return true;
+  return lower.size() > 4 && (lower.ends_with("day") || lower.ends_with("tag") ||
+                              lower == "mittwoch" || lower == "sonnabend");
+}
+
 std::optional<std::string> dotted_clock(std::string_view cell) {
   if (!is_dotted_clock(cell)) return std::nullopt;
   std::string text(cell);
@@ -216,12 +230,12 @@ std::optional<std::string> plain_time(std::string_view cell) {
   std::string text(cell);
   mark_era(text);
   bool marked = false;
-  for (const auto& [from, to] : kMarks) marked = replace(text, from, to) || marked;
+  for (const auto& [marks, to] : kMarks) marked = replace(text, marks, to) || marked;
   std::string_view half;
-  for (const auto& [from, to] : kHalves) {
-    if (replace(text, from, "")) half = to;
+  for (const auto& [words, to] : kHalves) {
+    if (replace(text, words, "")) half = to;
   }
-  for (const std::string_view word : kBetween) replace(text, word, " ");
+  replace(text, kBetween, " ");
   while (replace(text, "  ", " ")) continue;
   if (marked) {
     replace(text, "- ", "-");

@@ -1,4 +1,4 @@
-// Dates and times in the habits of other languages than English and German.
+// Words of dates, and the habits of other languages than English and German.
 #pragma once
 
 #include <optional>
@@ -6,6 +6,12 @@
 #include <string_view>
 
 namespace workbench {
+
+/// 1 … 12 of a word in small letters that begins with a month's name; 0: none.
+[[nodiscard]] int month_named(std::string_view lower);
+
+/// True for a weekday, short or long, in small letters.
+[[nodiscard]] bool is_weekday(std::string_view lower);
 
 /// The cell as written_time.hpp reads it: 2026年3月14日 8時00分00秒 as 2026-3-14 8:00:00,
 /// in Korean too; 午前, 上午, 오전, a. m. as AM behind, and their like as PM; 08.00.00

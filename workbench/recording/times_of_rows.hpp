@@ -1,12 +1,13 @@
-// Times in seconds, and what clock they are of.
+// Times in seconds, what clock they are of, and how they come to run forward.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "workbench/recording/time_words.hpp"
+#include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
 
@@ -61,5 +62,17 @@ struct ClockTime {
 
 /// 3 May 2026, of a day from 1 January 1970.
 [[nodiscard]] std::string date_text(std::int32_t day);
+
+struct TimeOrder {
+  bool turned = false;  ///< newest first: times.t is reversed now, the rows must follow
+  std::optional<std::size_t> step_back;  ///< first row (as turned) before the row before
+  std::vector<std::string> notes;
+};
+
+/// Turns times that never rise (at least three rows), and takes off the jumps of daylight
+/// saving: in local time, before 4 o'clock or at midnight and across a full hour, where
+/// the clock steps back by an hour less one interval, or, on a Sunday, ahead by an hour
+/// and one interval. O(n).
+[[nodiscard]] TimeOrder put_in_order(TimesOfRows& times);
 
 }  // namespace workbench

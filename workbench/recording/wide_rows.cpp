@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "workbench/recording/bad_code.hpp"
 #include "workbench/recording/cut_times.hpp"
 #include "workbench/recording/mode_column.hpp"
 #include "workbench/recording/restarts.hpp"
 #include "workbench/recording/row_table.hpp"
+#include "workbench/recording/rows_without.hpp"
 #include "workbench/recording/stopped.hpp"
-#include "workbench/recording/time_order.hpp"
+#include "workbench/recording/times_of_rows.hpp"
 
 namespace workbench {
 namespace {

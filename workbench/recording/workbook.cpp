@@ -17,12 +17,8 @@ namespace {
 constexpr std::size_t kTableRows = 20;  // that make a sheet a table
 
 InputError too_long(const std::string& file) {
-  return {file,
-          0,
-          0,
-          "a sheet of at most 512 MiB of text",
-          "a longer one",
-          "split the recording"};
+  return InputError(file, 0, 0, "a sheet of at most 512 MiB of text", "a longer one",
+                    "split the recording");
 }
 
 struct SheetPlace {

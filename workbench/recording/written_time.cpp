@@ -5,7 +5,6 @@
 
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/time_spelling.hpp"
-#include "workbench/recording/time_words.hpp"
 #include "workbench/recording/written_zone.hpp"
 
 namespace workbench {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "workbench/recording/time_words.hpp"
+#include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
 

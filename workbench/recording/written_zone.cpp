@@ -1,12 +1,45 @@
 #include "workbench/recording/written_zone.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
 
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/time_words.hpp"
 
 namespace workbench {
 namespace {
+
+constexpr std::array<std::pair<std::string_view, int>, 36> kZones = {{
+    {"z", 0},      {"utc", 0},    {"gmt", 0},    {"cet", 60},   {"mez", 60},
+    {"cest", 120}, {"mesz", 120}, {"est", -300}, {"edt", -240}, {"cst", -360},
+    {"cdt", -300}, {"mst", -420}, {"mdt", -360}, {"pst", -480}, {"pdt", -420},
+    {"wet", 0},    {"bst", 60},   {"ut", 0},     {"west", 60},  {"eet", 120},
+    {"oez", 120},  {"eest", 180}, {"oesz", 180}, {"msk", 180},  {"sast", 120},
+    {"sgt", 480},  {"hkt", 480},  {"awst", 480}, {"jst", 540},  {"kst", 540},
+    {"aest", 600}, {"aedt", 660}, {"nzst", 720}, {"nzdt", 780}, {"brt", -180},
+    {"hst", -600},
+}};
+
+constexpr std::array kOpenZones = std::to_array<OpenZone>({
+    {"CST", "-06:00 or +08:00"},
+    {"CDT", "-05:00 or -04:00"},
+    {"EST", "-05:00 or +10:00"},
+    {"EDT", "-04:00 or +11:00"},
+    {"MST", "-07:00 or +08:00"},
+    {"PST", "-08:00 or +08:00"},
+    {"BST", "+01:00 or +06:00"},
+});
+
+constexpr int kHourMin = 60;
+
+// Where summer time follows the standard time of an open zone, or the other way round.
+bool is_other_time_of(const KnownZone& open, int minutes) {
+  if (open.open->name == "BST") return minutes == 0;
+  const bool standard = open.open->name[1] == 'S';
+  return minutes == open.minutes + (standard ? kHourMin : -kHourMin);
+}
 
 constexpr bool is_letter(char c) {
   return is_capital(c) || is_small(c);
@@ -102,6 +135,42 @@ std::optional<KnownZone> known(std::string_view written) {
 }
 
 }  // namespace
+
+const OpenZone* open_zone(std::string_view lower) {
+  for (const OpenZone& zone : kOpenZones) {
+    if (lower_case(zone.name) == lower) return &zone;
+  }
+  return nullptr;
+}
+
+bool go_together(const KnownZone& a, const KnownZone& b) {
+  if (a.minutes == b.minutes && a.open == b.open) return true;
+  if (a.open == nullptr && b.open == nullptr) return true;
+  if (a.open != nullptr && b.open != nullptr) {
+    return a.open->name[0] == b.open->name[0];
+  }
+  const KnownZone& open = a.open != nullptr ? a : b;
+  const int other = a.open != nullptr ? b.minutes : a.minutes;
+  return other == open.minutes || is_other_time_of(open, other);
+}
+
+std::string zone_text(const KnownZone& zone) {
+  if (zone.open != nullptr) {
+    return std::string(zone.open->name) + " (" + std::string(zone.open->means) + ")";
+  }
+  const int minutes = std::abs(zone.minutes);
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%c%02d:%02d", zone.minutes < 0 ? '-' : '+',
+                minutes / kHourMin, minutes % kHourMin);
+  return text.data();
+}
+
+std::optional<int> zone_named(std::string_view lower) {
+  for (const auto& [name, minutes] : kZones) {
+    if (lower == name) return minutes;
+  }
+  return std::nullopt;
+}
 
 std::optional<WrittenZone> written_zone(std::string_view text) {
   return ZoneText(text).read();

@@ -49,9 +49,9 @@ ZipParts::ZipParts(std::string_view bytes, const std::string& file, std::stop_to
 }
 
 InputError ZipParts::refusal(const std::string& found) const {
-  return {file_, 0,
-          0,     "an Excel or OpenDocument workbook (xlsx, ods)",
-          found, "open it in Excel or LibreOffice and save the sheet as \"CSV UTF-8\""};
+  return InputError(file_, 0, 0, "an Excel or OpenDocument workbook (xlsx, ods)", found,
+                    "open it in Excel or LibreOffice and save the sheet as "
+                    "\"CSV UTF-8\"");
 }
 
 void ZipParts::Discard::operator()(zip* archive) const {

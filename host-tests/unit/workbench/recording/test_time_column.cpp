@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "workbench/recording/time_column.hpp"
-#include "workbench/recording/time_order.hpp"
+#include "workbench/recording/times_of_rows.hpp"
 
 namespace workbench {
 namespace {

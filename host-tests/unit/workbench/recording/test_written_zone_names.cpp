@@ -1,42 +1,25 @@
 #include <gtest/gtest.h>
 
-#include "workbench/recording/time_words.hpp"
+#include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
 namespace {
 
-TEST(TimeWords, MonthsInBothLanguages) {
-  for (const char* may : {"may", "mai"}) EXPECT_EQ(month_named(may), 5) << may;
-  EXPECT_EQ(month_named("m\xC3\xA4rz"), 3);
-  EXPECT_EQ(month_named("dezember"), 12);
-  EXPECT_EQ(month_named("decem"), 12);
-  EXPECT_EQ(month_named("monday"), 0);
-}
-
-TEST(TimeWords, WeekdaysShortAndLong) {
-  for (const char* day : {"mo", "tues", "mittwoch", "samstag", "sunday"}) {
-    EXPECT_TRUE(is_weekday(day)) << day;
-  }
-  for (const char* other : {"", "day", "may", "m"}) {
-    EXPECT_FALSE(is_weekday(other)) << other;
-  }
-}
-
-TEST(TimeWords, ZonesAreMinutesEastOfUtc) {
+TEST(WrittenZone, ZonesAreMinutesEastOfUtc) {
   EXPECT_EQ(zone_named("mesz"), 120);
   EXPECT_EQ(zone_named("edt"), -240);
   EXPECT_EQ(zone_named("z"), 0);
   EXPECT_EQ(zone_named("pm"), std::nullopt);
 }
 
-TEST(TimeWords, LettersThatSeveralZonesShareAreOpen) {
+TEST(WrittenZone, LettersThatSeveralZonesShareAreOpen) {
   EXPECT_EQ(open_zone("cst")->means, "-06:00 or +08:00");
   for (const char* clear : {"cet", "utc", "jst", "z", ""}) {
     EXPECT_EQ(open_zone(clear), nullptr) << clear;
   }
 }
 
-TEST(TimeWords, OpenZonesGoTogetherWithTheirOwnSummerTimeAlone) {
+TEST(WrittenZone, OpenZonesGoTogetherWithTheirOwnSummerTimeAlone) {
   const auto zone = [](const char* lower) {
     return KnownZone{zone_named(lower).value_or(-1), open_zone(lower)};
   };

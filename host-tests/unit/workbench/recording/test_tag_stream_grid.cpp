@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/stream_grid.hpp"
+#include "workbench/recording/tag_stream.hpp"
 
 namespace workbench {
 namespace {

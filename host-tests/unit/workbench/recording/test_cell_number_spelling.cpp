@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "workbench/recording/number_spelling.hpp"
+#include "workbench/recording/cell_number.hpp"
 
 namespace workbench {
 namespace {

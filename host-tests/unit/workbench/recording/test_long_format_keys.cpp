@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/recording/row_keys.hpp"
+#include "workbench/recording/long_format.hpp"
 
 namespace workbench {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "workbench/recording/bad_code.hpp"
+#include "workbench/recording/rows_without.hpp"
 
 namespace workbench {
 namespace {
