@@ -3,7 +3,7 @@
 
 #include "feed.hpp"
 #include "require.hpp"
-#include "workbench/recording/candump_log.hpp"
+#include "workbench/recording/can/candump_log.hpp"
 #include "workbench/recording/csv.hpp"
 
 namespace fuzz {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "workbench/recording/columns/line_table.hpp"
+#include "workbench/recording/columns/long_format.hpp"
+#include "workbench/recording/columns/mode_column.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/line_table.hpp"
-#include "workbench/recording/long_format.hpp"
-#include "workbench/recording/mode_column.hpp"
-#include "workbench/recording/quality_words.hpp"
+#include "workbench/recording/spelling/quality_words.hpp"
 
 namespace workbench {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "workbench/recording/columns/time_place.hpp"
 #include "workbench/recording/csv_layout.hpp"
 #include "workbench/recording/signal_choice.hpp"
-#include "workbench/recording/time_place.hpp"
 
 namespace workbench {
 

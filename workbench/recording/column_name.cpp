@@ -7,9 +7,9 @@
 
 #include "wire/text.hpp"
 #include "workbench/recording/cell_reader.hpp"
-#include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/quality_words.hpp"
+#include "workbench/recording/spelling/instrument_tag.hpp"
+#include "workbench/recording/spelling/quality_words.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/time_unit.hpp"
 

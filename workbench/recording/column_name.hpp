@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "workbench/recording/column_words.hpp"
 #include "workbench/recording/recording.hpp"
+#include "workbench/recording/spelling/column_words.hpp"
 
 namespace workbench {
 

@@ -9,12 +9,12 @@
 #include "workbench/recording/csv_layout.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/rows/tag_streams.hpp"
+#include "workbench/recording/rows/wide_rows.hpp"
 #include "workbench/recording/stopped.hpp"
 #include "workbench/recording/tag_file.hpp"
-#include "workbench/recording/tag_streams.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
-#include "workbench/recording/wide_rows.hpp"
 
 namespace workbench {
 namespace {

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "workbench/recording/cell_reader.hpp"
-#include "workbench/recording/header_names.hpp"
+#include "workbench/recording/columns/header_names.hpp"
+#include "workbench/recording/columns/line_table.hpp"
+#include "workbench/recording/columns/quality_columns.hpp"
+#include "workbench/recording/formats/labview_export.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/labview_export.hpp"
 #include "workbench/recording/later_texts.hpp"
-#include "workbench/recording/line_table.hpp"
-#include "workbench/recording/quality_columns.hpp"
 
 namespace workbench {
 namespace {

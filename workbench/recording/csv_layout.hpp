@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "workbench/recording/cell_number.hpp"
 #include "workbench/recording/column_name.hpp"
 #include "workbench/recording/recording.hpp"
+#include "workbench/recording/spelling/cell_number.hpp"
 
 namespace workbench {
 

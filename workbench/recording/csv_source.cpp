@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/quality_words.hpp"
+#include "workbench/recording/spelling/quality_words.hpp"
 
 namespace workbench {
 

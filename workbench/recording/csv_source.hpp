@@ -8,7 +8,7 @@
 #include "workbench/recording/column_choice.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/csv_layout.hpp"
-#include "workbench/recording/value_reader.hpp"
+#include "workbench/recording/rows/value_reader.hpp"
 
 namespace workbench {
 

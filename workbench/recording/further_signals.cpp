@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "workbench/recording/column_name.hpp"
-#include "workbench/recording/column_words.hpp"
+#include "workbench/recording/spelling/column_words.hpp"
 #include "workbench/recording/statistics.hpp"
 
 namespace workbench {

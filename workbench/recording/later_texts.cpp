@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "workbench/recording/cell_reader.hpp"
+#include "workbench/recording/columns/line_table.hpp"
+#include "workbench/recording/columns/long_format.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/line_table.hpp"
-#include "workbench/recording/long_format.hpp"
 
 namespace workbench {
 namespace {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "workbench/recording/columns/line_table.hpp"
 #include "workbench/recording/csv_layout.hpp"
-#include "workbench/recording/line_table.hpp"
 
 namespace workbench {
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/long_gaps.hpp"
-#include "workbench/recording/rounded_times.hpp"
+#include "workbench/recording/rows/long_gaps.hpp"
 #include "workbench/recording/statistics.hpp"
+#include "workbench/recording/times/rounded_times.hpp"
 
 namespace workbench {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "workbench/recording/instrument_tag.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/spelling/instrument_tag.hpp"
 
 namespace workbench {
 namespace {

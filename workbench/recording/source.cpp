@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "config/gateway.hpp"
-#include "workbench/recording/candump_log.hpp"
+#include "workbench/recording/can/candump_log.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/rest_before.hpp"
 #include "workbench/recording/tag_file.hpp"

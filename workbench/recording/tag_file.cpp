@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <regex>
 
+#include "workbench/recording/columns/long_format.hpp"
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/long_format.hpp"
-#include "workbench/recording/row_scanner.hpp"
+#include "workbench/recording/rows/row_scanner.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/recording/time_parts.hpp"

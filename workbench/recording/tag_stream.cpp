@@ -7,7 +7,7 @@
 
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/long_gaps.hpp"
+#include "workbench/recording/rows/long_gaps.hpp"
 #include "workbench/recording/statistics.hpp"
 
 namespace workbench {

@@ -11,9 +11,9 @@
 #include "workbench/recording/csv_source.hpp"
 #include "workbench/recording/recording.hpp"
 #include "workbench/recording/resample.hpp"
-#include "workbench/recording/row_scanner.hpp"
-#include "workbench/recording/row_table.hpp"
-#include "workbench/recording/time_column.hpp"
+#include "workbench/recording/rows/row_scanner.hpp"
+#include "workbench/recording/rows/row_table.hpp"
+#include "workbench/recording/times/time_column.hpp"
 
 namespace workbench {
 

@@ -7,16 +7,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "workbench/recording/formats/json_table.hpp"
+#include "workbench/recording/formats/labview_export.hpp"
+#include "workbench/recording/formats/line_protocol.hpp"
+#include "workbench/recording/formats/logfmt.hpp"
+#include "workbench/recording/formats/record_blocks.hpp"
+#include "workbench/recording/formats/ruled_table.hpp"
+#include "workbench/recording/formats/scope_export.hpp"
+#include "workbench/recording/formats/text_code.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/json_table.hpp"
-#include "workbench/recording/labview_export.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/line_protocol.hpp"
-#include "workbench/recording/logfmt.hpp"
-#include "workbench/recording/record_blocks.hpp"
-#include "workbench/recording/ruled_table.hpp"
-#include "workbench/recording/scope_export.hpp"
-#include "workbench/recording/text_code.hpp"
 #include "workbench/recording/workbook.hpp"
 
 namespace workbench {

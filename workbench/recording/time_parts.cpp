@@ -7,9 +7,9 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "workbench/recording/cell_number.hpp"
+#include "workbench/recording/columns/line_table.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/line_table.hpp"
+#include "workbench/recording/spelling/cell_number.hpp"
 
 namespace workbench {
 namespace {

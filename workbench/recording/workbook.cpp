@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "workbench/recording/filled.hpp"
+#include "workbench/recording/formats/open_document.hpp"
+#include "workbench/recording/formats/zip_parts.hpp"
 #include "workbench/recording/input_error.hpp"
-#include "workbench/recording/open_document.hpp"
 #include "workbench/recording/sheet_date.hpp"
-#include "workbench/recording/zip_parts.hpp"
 
 namespace workbench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/time_spelling.hpp"
+#include "workbench/recording/times/time_spelling.hpp"
 #include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
