@@ -45,6 +45,10 @@ Part hint_of(const ColumnName& name) {
   return part != Part::kNone ? part : inside;
 }
 
+auto is_part(Part part) {
+  return [part](const NamedSignal& c) { return c.name.part == part; };
+}
+
 // The only candidate that holds numbers and fits, and how many do.
 template <class Condition>
 std::optional<std::size_t> only_one(const std::vector<NamedSignal>& candidates,
@@ -139,9 +143,7 @@ class Suggester {
 
   // The only position is of a valve that nothing else moves.
   void take_valve(const std::vector<Column>& wanted, Indices& out) const {
-    const auto position = only_one(candidates_, taken_, [](const NamedSignal& c) {
-      return c.name.part == Part::kX;
-    });
+    const auto position = only_one(candidates_, taken_, is_part(Part::kX));
     if (!position || std::ranges::find(out, *position) != out.end()) return;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (wanted[i] == Column::u && out[i] == candidates_.size()) out[i] = *position;
@@ -194,8 +196,7 @@ class Suggester {
   }
 
   [[nodiscard]] bool has(Part part) const {
-    return std::ranges::any_of(
-        candidates_, [part](const NamedSignal& c) { return c.name.part == part; });
+    return std::ranges::any_of(candidates_, is_part(part));
   }
 
   // None: the number of columns.
@@ -350,16 +351,14 @@ std::vector<PickedSignal> only_signals(const std::vector<NamedSignal>& candidate
       wanted.size() == 2 && wanted[0] == Column::u && wanted[1] == Column::y;
   if (!pair) return {};
   const auto count = [&candidates](Part part) {
-    return std::ranges::count_if(
-        candidates, [part](const NamedSignal& c) { return c.name.part == part; });
+    return std::ranges::count_if(candidates, is_part(part));
   };
   const Part output = count(Part::kU) > 0 ? Part::kU : Part::kMv;
   const bool one_output =
       count(output) == 1 && (output == Part::kMv || count(Part::kMv) == 0);
   if (count(output) > 1 || count(Part::kY) > 1) return {};
   const auto of_part = [&](Part part) {
-    return only_one(candidates, taken,
-                    [part](const NamedSignal& c) { return c.name.part == part; });
+    return only_one(candidates, taken, is_part(part));
   };
   std::optional<std::size_t> u = one_output ? of_part(output) : std::nullopt;
   std::optional<std::size_t> y = of_part(Part::kY);

@@ -21,6 +21,53 @@ void permute(std::vector<Value>& values, const std::vector<std::size_t>& order) 
   values = std::move(out);
 }
 
+// What is longer is no ordinary pause between two samples of the signal, s.
+double longest_pause_s(const Stream& stream) {
+  if (stream.t.size() < 3) return HUGE_VAL;
+  const Spacing spacing = spacing_of(stream.t);
+  return static_cast<double>(shortest_gap(stream.t, spacing)) * spacing.period_s;
+}
+
+double next_time(const Stream& stream, std::size_t row, double end) {
+  return row + 1 < stream.t.size() ? stream.t[row + 1] : end;
+}
+
+void sort(Stream& stream) {
+  std::vector<std::size_t> order(stream.t.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&stream](std::size_t a, std::size_t b) {
+    return stream.t[a] < stream.t[b];
+  });
+  permute(stream.t, order);
+  permute(stream.line, order);
+  permute(stream.signal.values, order);
+  if (!stream.signal.quality.empty()) permute(stream.signal.quality, order);
+}
+
+// Samples without value go, with a note; the grid then holds the one before.
+void drop_gaps(Stream& stream, ResampleReport& report) {
+  SignalRows& signal = stream.signal;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < stream.t.size(); ++i) {
+    if (std::isnan(signal.values[i])) continue;
+    stream.t[kept] = stream.t[i];
+    stream.line[kept] = stream.line[i];
+    signal.values[kept++] = signal.values[i];
+  }
+  const std::size_t gaps = stream.t.size() - kept;
+  if (gaps == 0) return;
+  report.empty_cells += gaps;
+  report.notes.push_back(
+      counted(gaps, "sample", "samples") + " of " + quoted(signal.name) +
+      " without a value" +
+      (signal.bad > 0 ? " (" + quoted(signal.bad_word) + ")" : std::string()) +
+      ": the one before is held");
+  stream.t.resize(kept);
+  stream.line.resize(kept);
+  signal.values.resize(kept);
+  signal.bad = 0;
+}
+
 constexpr double kMostAstray = 0.01;  // of the rows; two are always allowed
 constexpr double kFewestRuns = 0.05;  // of the rows: no order at all
 constexpr double kMostSame = 0.9;     // of the rows that repeat a stretch
@@ -229,16 +276,6 @@ class StreamGrid {
 
 }  // namespace
 
-double longest_pause_s(const Stream& stream) {
-  if (stream.t.size() < 3) return HUGE_VAL;
-  const Spacing spacing = spacing_of(stream.t);
-  return static_cast<double>(shortest_gap(stream.t, spacing)) * spacing.period_s;
-}
-
-double next_time(const Stream& stream, std::size_t row, double end) {
-  return row + 1 < stream.t.size() ? stream.t[row + 1] : end;
-}
-
 void add_to_tag(std::string& tag, std::string_view part) {
   if (!tag.empty() && !part.empty()) tag += '.';
   tag += part;
@@ -261,41 +298,6 @@ void add_tags(std::string_view key, const ColumnChoice& choice, const CsvLayout&
     }
     tags.push_back({column_name(tag), tags.size() + 1, column, true});
   }
-}
-
-void sort(Stream& stream) {
-  std::vector<std::size_t> order(stream.t.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&stream](std::size_t a, std::size_t b) {
-    return stream.t[a] < stream.t[b];
-  });
-  permute(stream.t, order);
-  permute(stream.line, order);
-  permute(stream.signal.values, order);
-  if (!stream.signal.quality.empty()) permute(stream.signal.quality, order);
-}
-
-void drop_gaps(Stream& stream, ResampleReport& report) {
-  SignalRows& signal = stream.signal;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < stream.t.size(); ++i) {
-    if (std::isnan(signal.values[i])) continue;
-    stream.t[kept] = stream.t[i];
-    stream.line[kept] = stream.line[i];
-    signal.values[kept++] = signal.values[i];
-  }
-  const std::size_t gaps = stream.t.size() - kept;
-  if (gaps == 0) return;
-  report.empty_cells += gaps;
-  report.notes.push_back(
-      counted(gaps, "sample", "samples") + " of " + quoted(signal.name) +
-      " without a value" +
-      (signal.bad > 0 ? " (" + quoted(signal.bad_word) + ")" : std::string()) +
-      ": the one before is held");
-  stream.t.resize(kept);
-  stream.line.resize(kept);
-  signal.values.resize(kept);
-  signal.bad = 0;
 }
 
 void put_in_order(Stream& stream, const TimesOfRows& times, const std::string& file,

@@ -33,12 +33,6 @@ struct Stream {
   }
 };
 
-/// What is longer is no ordinary pause between two samples of the signal, s.
-[[nodiscard]] double longest_pause_s(const Stream& stream);
-
-/// When the sample behind `row` comes; `end` behind the last.
-[[nodiscard]] double next_time(const Stream& stream, std::size_t row, double end);
-
 /// Puts `part` behind `tag`, a point between; nothing where it is empty.
 void add_to_tag(std::string& tag, std::string_view part);
 
@@ -52,12 +46,6 @@ void add_to_tag(std::string& tag, std::string_view part);
 /// its column behind. `column`: of the cell that says so.
 void add_tags(std::string_view key, const ColumnChoice& choice, const CsvLayout& layout,
               std::size_t column, std::vector<NamedSignal>& tags);
-
-/// Brings the samples into the order of their times.
-void sort(Stream& stream);
-
-/// Samples without value go, with a note; the grid then holds the one before.
-void drop_gaps(Stream& stream, ResampleReport& report);
 
 /// Sorts the samples of `stream` by their times, with a note that is given once:
 /// - stretches that rise and do not overlap: the parts of the file were put together in

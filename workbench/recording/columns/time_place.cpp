@@ -1,6 +1,7 @@
 #include "workbench/recording/columns/time_place.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "wire/text.hpp"
@@ -90,46 +91,38 @@ std::optional<TimePlace> TimeFinder::find() const {
 }
 
 std::optional<std::size_t> TimeFinder::column() const {
-  const auto first = [this](auto fits) { return first_column(columns_, fits); };
-  std::optional<std::size_t> column = first([](const LayoutColumn& c) {
-    return role_of(c.name.text) == Column::t && c.content != Content::kText;
+  using Fits = bool (*)(const LayoutColumn&);
+  constexpr auto kInTurn = std::to_array<Fits>({
+      [](const LayoutColumn& c) {
+        return role_of(c.name.text) == Column::t && c.content != Content::kText;
+      },
+      // The bounds of a query stand beside the times of its rows, the same in all of
+      // them.
+      [](const LayoutColumn& c) { return c.content == Content::kDateTime && !c.rests(); },
+      [](const LayoutColumn& c) { return c.content == Content::kDate && !c.rests(); },
+      [](const LayoutColumn& c) { return c.content == Content::kDateTime; },
+      [](const LayoutColumn& c) { return c.content == Content::kDate; },
+      [](const LayoutColumn& c) {
+        return c.name.part == Part::kTime && is_measured(c) &&
+               c.content != Content::kNothing;
+      },
+      [](const LayoutColumn& c) { return c.content == Content::kClock; },
+      [](const LayoutColumn& c) {
+        return c.name.part == Part::kMillis && c.name.tag.empty() && is_measured(c) &&
+               c.content != Content::kNothing && !c.rests();
+      },
+      // The sample period alone, in the first row, makes no times.
+      [](const LayoutColumn& c) {
+        return (role_of(c.name.text) == Column::t || c.name.part == Part::kTime) &&
+               c.content != Content::kNothing;
+      },
   });
-  // The bounds of a query stand beside the times of its rows, the same in all of them.
-  for (const bool may_rest : {false, true}) {
-    for (const Content content : {Content::kDateTime, Content::kDate}) {
-      if (column) break;
-      column = first([content, may_rest](const LayoutColumn& c) {
-        return c.content == content && (may_rest || !c.rests());
-      });
-    }
-  }
-  if (!column) {
-    column = first([](const LayoutColumn& c) {
-      return c.name.part == Part::kTime && is_measured(c) &&
-             c.content != Content::kNothing;
-    });
-  }
-  if (!column) {
-    column = first([](const LayoutColumn& c) { return c.content == Content::kClock; });
-  }
-  if (!column) {
-    column = first([](const LayoutColumn& c) {
-      return c.name.part == Part::kMillis && c.name.tag.empty() && is_measured(c) &&
-             c.content != Content::kNothing && !c.rests();
-    });
-  }
-  // The sample period alone, in the first row, makes no times.
-  if (!column) {
-    column = first([](const LayoutColumn& c) {
-      const bool named = role_of(c.name.text) == Column::t || c.name.part == Part::kTime;
-      return named && c.content != Content::kNothing;
-    });
+  for (const Fits fits : kInTurn) {
+    if (const auto found = first_column(columns_, fits)) return found;
   }
   // Without a header, seconds or parts of them since 1970.
-  if (!column && layout_.header.empty()) {
-    column = first([](const LayoutColumn& c) { return counts_since_1970(c); });
-  }
-  return column;
+  if (!layout_.header.empty()) return std::nullopt;
+  return first_column(columns_, counts_since_1970);
 }
 
 // Hour, minute and second, with the day beside them, where no column is a whole time.
