@@ -23,6 +23,7 @@ a constexpr function, counts if a test reaches it. Needs python3-clang, CMake an
 """
 import argparse
 import collections
+import concurrent.futures
 import hashlib
 import math
 import os
@@ -254,8 +255,9 @@ def parsed():
     parser.add_argument("--again", action="store_true", help="only what survived last time")
     parser.add_argument("--seconds", type=float, default=4, help="of unit tests for one mutant")
     parser.add_argument("--whole", type=float, default=20,
-                        help="of laws and longer unit tests for what is alive then")
-    parser.add_argument("--jobs", type=int, default=1, help="of the build")
+                        help="of laws and longer unit tests for what is alive then; 0: none")
+    parser.add_argument("--jobs", type=int, default=1,
+                        help="of the build, and mutants that are tried at once")
     parser.add_argument("--list", action="store_true", help="print the points and stop")
     return parser.parse_args()
 
@@ -273,23 +275,30 @@ def main():
     print(f"{len(found)} points, {len(refused)} of them refused by the compiler", flush=True)
     most = max(arguments.seconds, arguments.whole)
     before_all, units = find_reach("unit_tests", most)
-    before_laws, laws = find_reach("whole_tests", most)
+    before_laws, laws = (find_reach("whole_tests", most) if arguments.whole
+                         else (frozenset(), []))
     reached = (before_all | before_laws).union(*(t.points for t in units + laws))
     countable = [p for p in found if p.id not in refused and (p.sure or p.id in reached)]
     chosen = choose(countable, arguments)
     killed, later, survivors = [], [], []
-    for point in chosen:
+
+    def tried(point):
         first = within(seeing(point, before_all, units), arguments.seconds)
-        kill, by = killed, killed_by(point, batches(first))
-        if not by:
-            rest = [t for t in units if t not in first]
-            rest = seeing(point, before_all, rest) + seeing(point, before_laws, laws)
-            rest.sort(key=lambda t: t.seconds)
-            kill, by = later, killed_by(point, batches(within(rest, arguments.whole)))
-        (kill if by else survivors).append(point)
-        unseen = "" if by or point.id in reached else " (no test reaches it)"
-        outcome = "survived" if not by else "killed" if kill is killed else "killed later"
-        print(f"{outcome}: {point.name}{unseen} {by}", flush=True)
+        if by := killed_by(point, batches(first)):
+            return killed, by
+        rest = [t for t in units if t not in first]
+        rest = seeing(point, before_all, rest) + seeing(point, before_laws, laws)
+        rest.sort(key=lambda t: t.seconds)
+        by = killed_by(point, batches(within(rest, arguments.whole)))
+        return (later if by else survivors), by
+
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        for point, (kind, by) in zip(chosen, pool.map(tried, chosen)):
+            kind.append(point)
+            unseen = "" if by or point.id in reached else " (no test reaches it)"
+            outcome = ("killed" if kind is killed else
+                       "killed later" if kind is later else "survived")
+            print(f"{outcome}: {point.name}{unseen} {by}", flush=True)
     print_table(countable, chosen, killed, later)
     print("\nSurvivors:")
     print("\n".join(f"- {p.name}" for p in survivors) or "none")
