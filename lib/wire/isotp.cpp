@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "wire/isotp_frame.hpp"
+#include "wire/uds_codes.hpp"
 
 namespace wire {
 
@@ -12,10 +13,6 @@ using namespace isotp;
 namespace {
 
 constexpr std::uint8_t kPadding = 0xCC;
-constexpr std::uint8_t kTesterPresent = 0x3E;
-constexpr std::uint8_t kNoResponse = 0x80;
-constexpr std::uint8_t kNegative = 0x7F;
-constexpr std::uint8_t kBusyRepeatRequest = 0x21;
 
 // Bits of a normal-fixed identifier: 18DA target source, 18DB target source.
 constexpr std::uint32_t kKind = 0x00FF0000;
@@ -31,8 +28,8 @@ std::int64_t separation_us(std::uint8_t st_min) {
 }
 
 bool is_silent_tester_present(const CanFrame& frame) {
-  return low_nibble(frame) == 2 && frame.data[1] == kTesterPresent &&
-         frame.data[2] == kNoResponse;
+  return low_nibble(frame) == 2 && frame.data[1] == uds::kTesterPresent &&
+         frame.data[2] == uds::kSuppress;
 }
 
 }  // namespace
@@ -251,9 +248,9 @@ void IsoTpLink::refuse_busy(const CanFrame& frame, std::uint8_t service) {
   if (!settings_.answer_busy) return;
   CanFrame refusal = frame_to(reply_id(frame));
   refusal.data[0] = 3;
-  refusal.data[1] = kNegative;
+  refusal.data[1] = uds::kNegative;
   refusal.data[2] = service;
-  refusal.data[3] = kBusyRepeatRequest;
+  refusal.data[3] = static_cast<std::uint8_t>(Nrc::kBusyRepeatRequest);
   const bool would_disturb = sending_ != Sending::kIdle && refusal.id == send_id_;
   (would_disturb ? later_ : refusal_) = refusal;
 }

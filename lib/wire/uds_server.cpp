@@ -7,23 +7,10 @@
 #include "wire/uds_reply.hpp"
 
 namespace wire {
+
+using namespace uds;
+
 namespace {
-
-constexpr std::uint8_t kPositive = 0x40;
-constexpr std::uint8_t kNegative = 0x7F;
-constexpr std::uint8_t kSuppress = 0x80;
-
-constexpr std::uint8_t kSessionControl = 0x10;
-constexpr std::uint8_t kClearDtcs = 0x14;
-constexpr std::uint8_t kReadDtcs = 0x19;
-constexpr std::uint8_t kReadData = 0x22;
-constexpr std::uint8_t kSecurityAccess = 0x27;
-constexpr std::uint8_t kWriteData = 0x2E;
-constexpr std::uint8_t kRoutine = 0x31;
-constexpr std::uint8_t kRequestUpload = 0x35;
-constexpr std::uint8_t kTransferData = 0x36;
-constexpr std::uint8_t kTransferExit = 0x37;
-constexpr std::uint8_t kTesterPresent = 0x3E;
 
 constexpr std::uint16_t kP2Ms = 50;
 constexpr std::uint16_t kP2StarTenMs = 500;

@@ -31,27 +31,9 @@
 
 #include "wire/diagnostics.hpp"
 #include "wire/dtc_store.hpp"
+#include "wire/uds_codes.hpp"
 
 namespace wire {
-
-enum class Nrc : std::uint8_t {
-  kNone = 0,
-  kServiceNotSupported = 0x11,
-  kSubFunctionNotSupported = 0x12,
-  kIncorrectLength = 0x13,
-  kResponseTooLong = 0x14,
-  kBusyRepeatRequest = 0x21,
-  kConditionsNotCorrect = 0x22,
-  kRequestSequenceError = 0x24,
-  kRequestOutOfRange = 0x31,
-  kSecurityAccessDenied = 0x33,
-  kInvalidKey = 0x35,
-  kExceededAttempts = 0x36,
-  kTimeDelayNotExpired = 0x37,
-  kWrongBlockSequence = 0x73,
-  kSubFunctionNotInSession = 0x7E,
-  kServiceNotInSession = 0x7F,
-};
 
 struct UdsSettings {
   bool writes = false;

@@ -8,6 +8,7 @@
 #include "wire/crc32.hpp"
 #include "wire/diagnostics.hpp"
 #include "wire/history_csv.hpp"
+#include "wire/uds_codes.hpp"
 
 namespace workbench {
 namespace {
@@ -19,7 +20,7 @@ constexpr int kTries = 3;  // of what may be asked twice
 
 std::string tag_of(UdsClient& client, int loop) {
   const std::uint16_t did = wire::loop_did(loop, kTagOffset);
-  const Bytes request = {0x22, static_cast<std::uint8_t>(did >> 8),
+  const Bytes request = {wire::uds::kReadData, static_cast<std::uint8_t>(did >> 8),
                          static_cast<std::uint8_t>(did)};
   const Bytes response = client.ask(request, kTries);
   std::string tag(response.begin() + std::min<std::ptrdiff_t>(3, std::ssize(response)),
@@ -33,13 +34,14 @@ std::string tag_of(UdsClient& client, int loop) {
 Bytes image_of(UdsClient& client, std::uint32_t address, std::size_t header_bytes,
                const std::function<std::size_t(const Bytes&)>& size_of,
                const std::function<void(std::size_t, std::size_t)>& progress) {
-  Bytes start = {0x35, 0x00, 0x44, 0, 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xFF};
+  Bytes start = {
+      wire::uds::kRequestUpload, 0x00, 0x44, 0, 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xFF};
   wire::put_big_endian(address, std::span(start).subspan(3, 4));
   (void)client.ask(start);
   Bytes image;
   std::size_t expected = header_bytes;
   for (std::uint8_t counter = 1; image.size() < expected; ++counter) {
-    const Bytes block = client.ask(Bytes{0x36, counter}, kTries);
+    const Bytes block = client.ask(Bytes{wire::uds::kTransferData, counter}, kTries);
     if (block.size() < 3 || block[1] != counter) {
       throw DeviceError("expected block " + std::to_string(counter) +
                         " of the recording, found another; try again");
@@ -54,7 +56,7 @@ Bytes image_of(UdsClient& client, std::uint32_t address, std::size_t header_byte
     }
     progress(image.size(), expected);
   }
-  const Bytes end = client.ask(Bytes{0x37});
+  const Bytes end = client.ask(Bytes{wire::uds::kTransferExit});
   const bool has_crc = end.size() == 5;
   if (image.size() != expected || (has_crc && wire::get_big_endian(std::span(end).subspan(
                                                   1)) != wire::crc32(image))) {

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "wire/uds_server.hpp"
+#include "wire/uds_codes.hpp"
 
 namespace workbench {
 namespace {
-
-constexpr std::uint8_t kNegative = 0x7F;
-constexpr std::uint8_t kResponsePending = 0x78;
 
 std::string hex(unsigned value) {
   std::array<char, 8> text;
@@ -72,7 +69,7 @@ std::vector<std::uint8_t> UdsClient::ask(std::span<const std::uint8_t> request,
     }
     const std::vector<std::uint8_t>& data = *response;
     if (data[0] == static_cast<std::uint8_t>(service + 0x40)) return data;
-    if (data.size() != 3 || data[0] != kNegative || data[1] != service) {
+    if (data.size() != 3 || data[0] != wire::uds::kNegative || data[1] != service) {
       send = false;  // of an earlier request, or of somebody else's: no reason to wait
       if (port_.now_us() < deadline_us) continue;
       throw DeviceError(
@@ -80,7 +77,7 @@ std::vector<std::uint8_t> UdsClient::ask(std::span<const std::uint8_t> request,
           "end the other tester, or try again later");
     }
     const std::uint8_t code = data[2];
-    if (code == kResponsePending) {
+    if (code == static_cast<std::uint8_t>(wire::Nrc::kResponsePending)) {
       if (++pending > kMostPending) {
         throw DeviceError("expected the gateway to answer service " + hex(service) +
                           ", found only that it will (NRC 78); try again later");
