@@ -2,12 +2,19 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "hal/can_bus.hpp"
 #include "hal/descriptor.hpp"
 #include "hal/message.hpp"
 
 namespace hal {
+
+/// The port of "slcan:PORT", by which command lines name a lab bus: 0 where none follows,
+/// nothing for any other name.
+[[nodiscard]] std::optional<std::uint16_t> slcan_port(std::string_view name);
 
 class SlcanClient final : public CanBus {
  public:

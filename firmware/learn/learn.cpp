@@ -21,7 +21,6 @@ namespace firmware {
 namespace {
 
 constexpr std::size_t kMostLogBytes = std::size_t{512} << 20;
-constexpr std::string_view kSlcan = "slcan:";
 
 // The number of the last line where it was cut and left out, else 0.
 std::size_t read_log(const std::string& path, FrameSurvey& survey) {
@@ -63,10 +62,8 @@ std::size_t read_log(const std::string& path, FrameSurvey& survey) {
 
 std::unique_ptr<hal::CanBus> open_bus(const std::string& name) {
   std::unique_ptr<hal::CanBus> bus;
-  if (name.starts_with(kSlcan)) {
-    std::uint16_t port = 0;
-    (void)std::from_chars(name.data() + kSlcan.size(), name.data() + name.size(), port);
-    bus = std::make_unique<hal::SlcanClient>(port);
+  if (const std::optional<std::uint16_t> port = hal::slcan_port(name)) {
+    bus = std::make_unique<hal::SlcanClient>(*port);
   } else {
     const std::vector<hal::CanFilter> everything = {{.extended = false, .mask = 0},
                                                     {.extended = true, .mask = 0}};

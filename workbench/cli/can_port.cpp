@@ -2,9 +2,7 @@
 
 #include <poll.h>
 
-#include <charconv>
 #include <chrono>
-#include <string_view>
 #include <thread>
 
 #include "hal/slcan_client.hpp"
@@ -14,21 +12,15 @@
 namespace workbench::cli {
 namespace {
 
-constexpr std::string_view kSlcan = "slcan:";
-
 std::unique_ptr<hal::CanBus> bus_of(const std::string& name, std::uint32_t id,
                                     bool extended) {
-  if (!name.starts_with(kSlcan)) {
+  const std::optional<std::uint16_t> port = hal::slcan_port(name);
+  if (!port) {
     return std::make_unique<hal::SocketCan>(name,
                                             std::vector{hal::CanFilter{id, extended}});
   }
-  std::uint16_t port = 0;
-  const char* const end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + kSlcan.size(), end, port);
-  if (error != std::errc() || stop != end || port == 0) {
-    throw UsageError("--can: expected slcan:PORT, found '" + name + "'");
-  }
-  return std::make_unique<hal::SlcanClient>(port);
+  if (*port == 0) throw UsageError("--can: expected slcan:PORT, found '" + name + "'");
+  return std::make_unique<hal::SlcanClient>(*port);
 }
 
 }  // namespace

@@ -30,6 +30,14 @@ CanStatus wait_for(CanBus& bus, std::span<ReceivedFrame> out, std::size_t& count
   return status;
 }
 
+TEST(SlcanClient, HasItsPortInTheNameOfTheBus) {
+  EXPECT_EQ(slcan_port("slcan:29536"), 29536);
+  EXPECT_EQ(slcan_port("can0"), std::nullopt);
+  for (const char* const name : {"slcan:", "slcan:x", "slcan:80x", "slcan:65536"}) {
+    EXPECT_EQ(slcan_port(name), 0) << name;
+  }
+}
+
 TEST(SlcanClient, ExchangesFramesWithTheServer) {
   const SystemClock clock;
   SlcanServer server(0, clock);
