@@ -3,12 +3,12 @@
 #include <cstdlib>
 
 #include "firmware/daemon.hpp"
+#include "wire/crc32.hpp"
 
 namespace firmware {
 namespace {
 
 constexpr std::int64_t kSameOffset_us = 1'000'000;
-constexpr std::size_t kChecksumBytes = 4;  // of an image, at its end
 
 }  // namespace
 
@@ -55,7 +55,7 @@ std::size_t Daemon::save_windows(const Now& now, double least_period_s,
       continue;
     }
     const std::size_t end = at + wire::kWindowMarkBytes + kept_.size();
-    if (end + kChecksumBytes > out.size()) return 0;
+    if (end + wire::kChecksumBytes > out.size()) return 0;
     wire::encode_window_mark(loop->window_mark(),
                              out.subspan(at).first<wire::kWindowMarkBytes>());
     kept_.read(0, out.subspan(at + wire::kWindowMarkBytes, kept_.size()));

@@ -18,9 +18,9 @@ namespace firmware {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMagic = {'S', 'B', 'H', 'F', 1, 0, 0, 0};
-constexpr std::size_t kTagBytes = 32;
-constexpr std::size_t kHeaderContent = kMagic.size() + wire::kMostLoops * (kTagBytes + 4);
-static_assert(kHeaderContent + 4 <= kHistoryHeader);
+constexpr std::size_t kHeaderContent =
+    kMagic.size() + wire::kMostLoops * (wire::kTagBytes + 4);
+static_assert(kHeaderContent + wire::kChecksumBytes <= kHistoryHeader);
 
 using Row = std::array<std::uint8_t, wire::kHistoryRowBytes>;
 
@@ -139,7 +139,7 @@ bool HistoryFile::read_header() {
     return false;
   }
   for (std::size_t k = 0; k < known_.size(); ++k) {
-    const auto tag = in.bytes(kTagBytes);
+    const auto tag = in.bytes(wire::kTagBytes);
     const auto end = std::find(tag.begin(), tag.end(), std::uint8_t{0});
     known_[k] = {static_cast<int>(k) + 1, std::string(tag.begin(), end),
                  static_cast<std::uint32_t>(in.number(4))};
@@ -152,7 +152,7 @@ bool HistoryFile::write_header() {
   wire::ByteWriter out(header);
   out.bytes(kMagic);
   for (const HistoryLoop& loop : known_) {
-    std::array<std::uint8_t, kTagBytes> tag{};
+    std::array<std::uint8_t, wire::kTagBytes> tag{};
     std::copy_n(loop.tag.begin(), std::min(loop.tag.size(), tag.size()), tag.begin());
     out.bytes(tag);
     out.number(loop.configuration, 4);

@@ -19,8 +19,6 @@ namespace firmware {
 
 namespace {
 
-constexpr std::size_t kChecksumBytes = 4;
-
 bool read_file(const std::string& path, std::size_t most, std::vector<std::uint8_t>& out,
                bool& exists) {
   out.clear();
@@ -145,8 +143,8 @@ int StateFile::error() const {
 std::size_t StateFile::add_checksum(std::size_t size) {
   const auto content = std::span(windows_).first(size);
   wire::put_big_endian(wire::crc32(content),
-                       std::span(windows_).subspan(size, kChecksumBytes));
-  return size + kChecksumBytes;
+                       std::span(windows_).subspan(size, wire::kChecksumBytes));
+  return size + wire::kChecksumBytes;
 }
 
 void StateFile::work() {

@@ -8,6 +8,8 @@
 
 namespace wire {
 
+inline constexpr std::size_t kChecksumBytes = 4;  ///< of a CRC-32 in an image
+
 /// The CRC of one byte after nothing, without the complements.
 inline constexpr auto kCrc32Table = [] {
   std::array<std::uint32_t, 256> table{};

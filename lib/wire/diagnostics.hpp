@@ -22,6 +22,7 @@
 namespace wire {
 
 inline constexpr int kMostLoops = 31;
+inline constexpr std::size_t kTagBytes = 32;  ///< of a loop, zero-padded in images
 inline constexpr std::size_t kMostPathKnots = 24;
 inline constexpr double kNotAvailable = std::numeric_limits<double>::quiet_NaN();
 
@@ -130,9 +131,9 @@ struct PathKnot {
 
 /// Everything the views show of one loop; the daemon fills it.
 struct LoopStatus {
-  std::uint8_t id = 0;     ///< 1 … 31
-  FixedText<32> tag;       ///< ASCII
-  FixedText<160> mapping;  ///< where u, y, sp come from, for people
+  std::uint8_t id = 0;       ///< 1 … 31
+  FixedText<kTagBytes> tag;  ///< ASCII
+  FixedText<160> mapping;    ///< where u, y, sp come from, for people
 
   LoopVerdict verdict = LoopVerdict::kNotEvaluated;         ///< that is published
   LoopVerdict window_verdict = LoopVerdict::kNotEvaluated;  ///< newest window, no delay

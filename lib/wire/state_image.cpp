@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::array<std::uint8_t, 4> kMagic = {'S', 'B', 'S', 'T'};
 constexpr std::uint8_t kVersion = 3;
-constexpr std::size_t kTagBytes = 32;
-constexpr std::size_t kChecksumBytes = 4;
 constexpr int kParameterObject = 5;
 constexpr std::uint8_t kKept =
     kDtcStatusMask & ~(kDtcFailsNow | kDtcNotCompletedThisCycle);

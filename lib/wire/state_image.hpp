@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 
+#include "wire/crc32.hpp"
 #include "wire/diagnostics.hpp"
 #include "wire/dtc_store.hpp"
 #include "wire/loop_memory.hpp"
@@ -32,9 +33,11 @@ enum class StateError : std::uint8_t {
 
 inline constexpr std::size_t kStateHeaderBytes = 6;
 inline constexpr std::size_t kStateLoopBytes =
-    1 + 32 + 2 * kParameterBytes + DtcStore::kKinds * (5 + DtcStore::kSnapshotBytes);
+    1 + kTagBytes + 2 * kParameterBytes +
+    DtcStore::kKinds * (5 + DtcStore::kSnapshotBytes);
 inline constexpr std::size_t kMostStateBytes =
-    kStateHeaderBytes + kMostLoops * (kStateLoopBytes + kLoopMemoryBytes) + 4;
+    kStateHeaderBytes + kMostLoops * (kStateLoopBytes + kLoopMemoryBytes) +
+    kChecksumBytes;
 static_assert(kMostStateBytes <= 24 * 1024, "one buffer of the daemon holds it");
 
 /// Bytes at the begin of an image that change with DTCs and parameters only; the rest may

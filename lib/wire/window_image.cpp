@@ -12,8 +12,6 @@ namespace {
 constexpr std::array<std::uint8_t, 4> kMagic = {'S', 'B', 'W', 'I'};
 constexpr std::uint8_t kVersion = 1;
 constexpr std::size_t kLoopsAt = 5;
-constexpr std::size_t kTagBytes = 32;
-constexpr std::size_t kChecksumBytes = 4;
 
 }  // namespace
 

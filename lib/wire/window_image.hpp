@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 
+#include "wire/crc32.hpp"
 #include "wire/diagnostics.hpp"
 #include "wire/recording_image.hpp"
 #include "wire/state_image.hpp"
@@ -20,19 +21,20 @@ namespace wire {
 
 /// Whose window it is, and what has been made of it.
 struct WindowMark {
-  FixedText<32> tag;
+  FixedText<kTagBytes> tag;
   std::uint32_t configuration = 0;  ///< CRC-32 of span, sampling and signals
   std::int64_t judged_ms = 0;       ///< newest sample of the newest window, 0: none
   std::uint32_t unjudged = 0;       ///< samples, the newest ones
 };
 
 inline constexpr std::size_t kWindowsHeaderBytes = 4 + 1 + 1 + 8;
-inline constexpr std::size_t kWindowMarkBytes = 32 + 4 + 8 + 4;
+inline constexpr std::size_t kWindowMarkBytes = kTagBytes + 4 + 8 + 4;
 
 /// Bytes of an image of so many loops with so many samples each.
 [[nodiscard]] constexpr std::size_t windows_bytes(std::size_t loops,
                                                   std::uint32_t samples) {
-  return kWindowsHeaderBytes + loops * (kWindowMarkBytes + recording_bytes(samples)) + 4;
+  return kWindowsHeaderBytes + loops * (kWindowMarkBytes + recording_bytes(samples)) +
+         kChecksumBytes;
 }
 
 void encode_windows_header(std::size_t loops, std::int64_t offset_us,
