@@ -43,6 +43,14 @@ TEST(HistoryCsv, LeavesOutWhatIsNot) {
   EXPECT_EQ(line_of(row).substr(0, 20), "2106-02-07T06:28:15Z");
 }
 
+TEST(HistoryCsv, WritesEveryDigit) {
+  HistoryRow row;
+  for (const int period : {1, 9, 10, 11, 99, 100, 1000}) {
+    row.period_s = period;
+    EXPECT_TRUE(line_of(row).ends_with("," + std::to_string(period) + ".0\n")) << period;
+  }
+}
+
 TEST(HistoryCsv, TheLongestLineFits) {
   HistoryRow row;
   row.verdict = LoopVerdict::kOtherOscillation;
