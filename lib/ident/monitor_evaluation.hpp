@@ -135,12 +135,8 @@ void Monitor<Real, Capacity>::count_alike() {
 template <class Real, std::size_t Capacity>
 void Monitor<Real, Capacity>::show_to_alarm() {
   count_alike();
-  const auto value = [](const Estimate<Real>& estimate) {
-    return estimate.known ? estimate.value : Real(0);
-  };
-  const Real band =
-      std::max(value(report_.stick_band.ascending), value(report_.stick_band.descending));
-  const Real percent = Real(100) * band / (settings_.span_high - settings_.span_low);
+  const Real percent = Real(100) * report_.stick_band.larger() /
+                       (settings_.span_high - settings_.span_low);
   const AlarmChange change = alarm_.take(report_.verdict, static_cast<float>(percent),
                                          report_.oscillation.detected);
   if (change == AlarmChange::kNone) {

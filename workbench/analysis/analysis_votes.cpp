@@ -45,10 +45,6 @@ bool rests(const Identification& result) {
   return result.reason == ident::Reason::kConstant;
 }
 
-double mean_band(const Identification& result) {
-  return (result.stick_band.ascending.value + result.stick_band.descending.value) / 2;
-}
-
 }  // namespace
 
 // The sum over all windows against what most of them say.
@@ -139,12 +135,14 @@ void Analysis::vote(const std::vector<Identification>& results) {
   // Windows that contradict each other may leave none that is undecided itself.
   if (agreeing.empty()) agreeing.push_back(&results.front());
   std::vector<double> bands;
-  for (const Identification* result : agreeing) bands.push_back(mean_band(*result));
+  for (const Identification* result : agreeing)
+    bands.push_back(result->stick_band.mean());
   const double middle = median(bands);
-  const auto nearest = std::min_element(
-      agreeing.begin(), agreeing.end(), [middle](const auto* a, const auto* b) {
-        return std::abs(mean_band(*a) - middle) < std::abs(mean_band(*b) - middle);
-      });
+  const auto nearest = std::min_element(agreeing.begin(), agreeing.end(),
+                                        [middle](const auto* a, const auto* b) {
+                                          return std::abs(a->stick_band.mean() - middle) <
+                                                 std::abs(b->stick_band.mean() - middle);
+                                        });
   shown_ = static_cast<std::size_t>(*nearest - results.data());
   result_ = results[shown_];
   result_.cause = common_cause(agreeing);

@@ -102,9 +102,8 @@ class Trend {
       sum.nats += window.nats;
       ++sum.weighed;
     }
-    const auto& band = window.stick_band;
-    if (band.ascending.known && band.descending.known) {
-      sum.band += (band.ascending.value + band.descending.value) / 2;
+    if (window.stick_band.both_known()) {
+      sum.band += window.stick_band.mean();
       ++sum.bands;
     }
   }
@@ -125,13 +124,6 @@ void take_pictures(const Recording& last, double period_s, ScreenedLoop& out) {
 // Steps of one direction, and what rests, have a rhythm, too.
 bool may_oscillate(ident::Reason reason) {
   return reason != ident::Reason::kOneStroke && reason != ident::Reason::kConstant;
-}
-
-double mean_band(const ScreenedLoop& loop) {
-  const ident::Estimate<double>& up = loop.stick_band.ascending;
-  const ident::Estimate<double>& down = loop.stick_band.descending;
-  if (up.known && down.known) return (up.value + down.value) / 2;
-  return up.known ? up.value : down.known ? down.value : 0;
 }
 
 // 0 … 1, rising; a half at `middle`.
@@ -180,7 +172,8 @@ void rate(ScreenedLoop& loop) {
   } else if (loop.verdict == "no_stiction") {
     loop.suspicion = 0.2 * seen;
   }
-  const double width = loop.span > 0 ? std::min(1.0, mean_band(loop) / loop.span) : 0;
+  const double width =
+      loop.span > 0 ? std::min(1.0, loop.stick_band.mean() / loop.span) : 0;
   loop.cost = 100 * loop.suspicion *
               (0.5 + 0.3 * loop.oscillating_share + 0.2 * std::sqrt(width));
 }

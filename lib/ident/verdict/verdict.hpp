@@ -1,6 +1,7 @@
 // What the component says about a valve: the verdict, its reason and its numbers.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -38,6 +39,17 @@ template <class Real>
 struct PerStroke {
   Estimate<Real> ascending;
   Estimate<Real> descending;
+
+  [[nodiscard]] bool both_known() const { return ascending.known && descending.known; }
+  /// The larger one of what is known; 0: nothing is.
+  [[nodiscard]] Real larger() const {
+    return std::max(ascending.known ? ascending.value : Real(0),
+                    descending.known ? descending.value : Real(0));
+  }
+  /// Of what is known; 0: nothing is.
+  [[nodiscard]] Real mean() const {
+    return both_known() ? (ascending.value + descending.value) / Real(2) : larger();
+  }
 };
 
 }  // namespace ident

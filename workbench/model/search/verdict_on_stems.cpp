@@ -34,13 +34,9 @@ double stick_band_of(const Fit& fit, const Effect& stem) {
   return band > 0 ? band : fit.searched_of(stem).front();
 }
 
-double stick_band_of(const Identification& found) {
-  return std::max(found.stick_band.ascending.value, found.stick_band.descending.value);
-}
-
 bool is_as_wide(double band, const Identification& found) {
   constexpr double kAlike = 2;
-  const double ratio = band / stick_band_of(found);
+  const double ratio = band / found.stick_band.larger();
   return ratio > 1 / kAlike && ratio < kAlike;
 }
 

@@ -27,5 +27,22 @@ TEST(Estimate, IsUnknownUntilSaidOtherwise) {
   EXPECT_FALSE(stroke.descending.known);
 }
 
+TEST(PerStroke, CountsOnlyTheStrokesThatAreKnown) {
+  PerStroke<float> band;
+  band.ascending.value = 3;
+  band.descending.value = 5;
+  EXPECT_EQ(band.mean(), 0);
+  EXPECT_EQ(band.larger(), 0);
+  band.descending.known = true;
+  EXPECT_EQ(band.mean(), 5);
+  EXPECT_FALSE(band.both_known());
+  band.ascending.known = true;
+  EXPECT_EQ(band.mean(), 4);
+  EXPECT_EQ(band.larger(), 5);
+  EXPECT_TRUE(band.both_known());
+  band.descending.known = false;
+  EXPECT_EQ(band.mean(), 3);
+}
+
 }  // namespace
 }  // namespace ident
