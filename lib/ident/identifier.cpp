@@ -22,7 +22,6 @@ const Identification<Real>& Identifier<Real, Capacity>::run(std::span<const Real
                                                             std::span<const Real> y,
                                                             std::span<const Real> sp,
                                                             int gain_sign) {
-  constexpr int kLargeBudget = 1000;
   start(u, y, sp, gain_sign);
   while (!this->step(kLargeBudget)) {
   }

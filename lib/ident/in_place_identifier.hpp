@@ -57,6 +57,9 @@ struct WindowOptions {
   const EarlierValve* earlier = nullptr;
 };
 
+/// Budget of the slices where nobody waits for the next sample.
+inline constexpr int kLargeBudget = 1000;
+
 /// Identifies one window of at most `Capacity` samples in the caller's memory: u and y
 /// are scaled where they are (u to 0 … 1, y to zero mean and unit variance, turned where
 /// the process gain is negative) and stay so; `scale_of_u` and `scale_of_y` lead back.

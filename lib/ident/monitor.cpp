@@ -17,8 +17,6 @@ constexpr std::array<std::string_view, kEventKinds> kEventNames = {
 
 constexpr double kDefaultSpan = 100;
 constexpr std::uint8_t kMostWaits = 4;
-// Budget of the slices when nobody waits for the next sample.
-constexpr int kLargeBudget = 1000;
 
 template <class Real>
 MonitorSettings<Real> in_range(MonitorSettings<Real> settings) {

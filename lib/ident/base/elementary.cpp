@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace ident::elementary {
 namespace {
@@ -18,7 +19,7 @@ constexpr float kLog2Rest = -2.12194440e-4F;
 constexpr float kQuarter = 1.5703125F;
 constexpr float kQuarterRest = 4.837512969970703e-4F;
 constexpr float kQuarterLast = 7.549789948768648e-8F;
-constexpr float kPi = 3.14159265F;
+constexpr float kPi = std::numbers::pi_v<float>;
 
 /// Σ of terms[k]·x^k.
 template <std::size_t Count>

@@ -8,7 +8,6 @@ namespace ident {
 namespace {
 
 constexpr std::size_t kRows = 16;
-constexpr std::size_t kFewestRows = 100;
 // Over the mean speed of u from one turning point to the next: from one of these to the
 // next faster one.
 constexpr double kSlowest = 0.25;

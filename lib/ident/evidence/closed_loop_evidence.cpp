@@ -10,8 +10,6 @@ namespace {
 constexpr std::size_t kRowsOfOutput = 64;
 constexpr std::size_t kRowsOfInput = 16;
 constexpr std::size_t kSamplesOfStem = 1024;
-// Fewer predicted samples tell nothing of so many unknowns.
-constexpr std::size_t kFewestRows = 100;
 // Beside u rungs are tried from a fifth of the swing on, each three quarters wider than
 // the one before.
 constexpr int kRungsBesideU = 4;

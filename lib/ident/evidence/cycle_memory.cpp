@@ -8,7 +8,6 @@ namespace ident {
 namespace {
 
 constexpr std::size_t kRows = 16;
-constexpr std::size_t kFewestRows = 100;
 constexpr std::size_t kFewestCycles = 3;
 // Shorter cycles are known from the near lags.
 constexpr std::size_t kShortest = 8;

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "ident/base/elementary.hpp"
+#include "ident/base/two_pi.hpp"
 
 namespace ident {
 namespace {
-
-constexpr double kTwoPi = 6.28318530717959;
 
 constexpr int kSteps = 31;
 constexpr std::array kCandidates = {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ident/base/elementary.hpp"
+#include "ident/base/two_pi.hpp"
 
 namespace ident {
 namespace {
@@ -18,7 +19,6 @@ constexpr double kLeastNats = 12;
 constexpr double kLeastFactor = 0.3;
 constexpr double kMostFactor = 2;
 
-constexpr double kTwoPi = 6.28318530717959;
 constexpr double kLineSpacing = 0.75;  // of 1/N
 constexpr int kFirstLine = 7;          // 5¼ cycles in the window
 constexpr double kShortestLine = 8;    // samples

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numbers>
 
 #include "ident/base/elementary.hpp"
 
@@ -47,7 +48,6 @@ constexpr int kStartAfter = 4;
 
 // The first band that shares its turn with the slower ones.
 constexpr int kFirstSlow = 3;
-constexpr float kPi = 3.14159265f;
 
 /// std::lround, |value| < 2³⁰, without the call that it is on a Cortex-M4F.
 int nearest(float value) {
@@ -106,7 +106,8 @@ float cautious(std::uint16_t mean, int pairs) {
 /// How much larger a sinusoid of `length` samples per cycle comes out of the
 /// band-pass's first integrator, in a band reached by `band` halvings.
 float gain(float length, int band) {
-  const float angle = kPi / std::max(length, 2.5f);  // steep towards 2
+  const float angle =
+      std::numbers::pi_v<float> / std::max(length, 2.5f);  // steep towards 2
   const float ratio = elementary::tan(angle) / kCentre;
   const float detune = kQuality * (ratio - 1.0f / ratio);
   float g = kQuality / std::sqrt(1.0f + detune * detune) / elementary::cos(angle);
