@@ -139,7 +139,9 @@ struct DrivenValve {
   std::vector<double> u, y, stem;
 
   DrivenValve(SlipMotion motion, std::size_t samples, double slower)
-      : valve{1.2, 3, 2, motion} {
+      : DrivenValve({1.2, 3, 2, motion}, samples, slower) {}
+  DrivenValve(const ValveFriction<double>& friction, std::size_t samples, double slower)
+      : valve(friction) {
     std::mt19937 random(2);
     std::normal_distribution<double> normal;
     StickSlipValve<double> moved(valve, 50);
@@ -197,6 +199,26 @@ void expect_tells(const DrivenValve& driven, double slower, int decimation,
     EXPECT_EQ(found.gain_sign, -1);
     expect_encloses(found.stick_band.ascending, driven.valve.stick_ascending(), 0.05);
     expect_encloses(found.stick_band.descending, driven.valve.stick_descending(), 0.05);
+    // All that is told of the valve is in the units of u.
+    const ValveFriction<double>& friction = found.valve.friction;
+    EXPECT_NEAR(friction.deadband, driven.valve.deadband, 0.6);
+    EXPECT_DOUBLE_EQ(friction.stick_ascending(), found.stick_band.ascending.value);
+    EXPECT_DOUBLE_EQ(friction.stick_descending(), found.stick_band.descending.value);
+    EXPECT_DOUBLE_EQ(friction.slip_ascending, found.slip_jump.ascending.value);
+    EXPECT_DOUBLE_EQ(friction.slip_descending, found.slip_jump.descending.value);
+    EXPECT_LE(found.slip_jump.ascending.low, friction.slip_ascending);
+    EXPECT_GE(found.slip_jump.descending.high, friction.slip_descending);
+    // So does each cycle, and the closed loop.
+    const double cycles = static_cast<double>(driven.u.size()) / slower * 0.157 / 6.283;
+    const Evidence<double>& evidence = found.evidence;
+    EXPECT_NEAR(found.cycles, cycles, 1);
+    EXPECT_NEAR(evidence.cycles, std::min(cycles, 1.0 * CycleComparison<double>::kMost),
+                2);
+    EXPECT_GE(evidence.cycles_better, evidence.cycles - 1);
+    EXPECT_NEAR(evidence.reversals, 2 * cycles, 2);
+    EXPECT_NEAR(evidence.stem_strokes, 2 * cycles, 3);
+    EXPECT_GT(evidence.stem_nats, evidence.ladder.nats);
+    EXPECT_GT(evidence.pace.strokes, 8);
     // Simulations say what the result does.
     std::vector<double> simulated(driven.u.size());
     identifier->stem_positions(simulated);
@@ -226,6 +248,24 @@ TEST(InPlaceIdentifier, TellsAValveOfASmallWindow) {
 
 TEST(InPlaceIdentifier, GoesOnFromTheWindowBefore) {
   expect_tells<kSmallWindow>(DrivenValve(SlipMotion::kResticks, 480, 1), 1, 1, {0, 8, 7});
+}
+
+// What a monitor asks of each window: no valve is fitted where none sticks.
+TEST(InPlaceIdentifier, EndsEarlyWhereNothingSticks) {
+  const auto identifier = std::make_unique<InPlaceIdentifier<double, kSmallWindow>>();
+  for (const bool sticks : {true, false}) {
+    DrivenValve window(sticks ? ValveFriction<double>{1.2, 3, 2, SlipMotion::kResticks}
+                              : ValveFriction<double>{},
+                       480, 1);
+    identifier->start(window.u, window.y, {}, 0, {.ends_early = true, .two_path = false});
+    while (!identifier->step(1000)) {
+    }
+    const Identification<double>& found = identifier->result();
+    EXPECT_EQ(found.verdict, sticks ? Verdict::kStiction : Verdict::kNoStiction);
+    EXPECT_EQ(found.valve.known, sticks);
+    EXPECT_EQ(found.stick_band.ascending.known, sticks);
+    EXPECT_EQ(identifier->searched(), true);
+  }
 }
 
 // Means of three samples, that no fewer than 600 are left.

@@ -60,6 +60,41 @@ TEST(Monitor, GoesOnAfterARestart) {
   EXPECT_EQ(forgetful.memory().pool.windows(), 0);
 }
 
+TEST(Monitor, TellsWhatTheWindowsBeforeSayTogether) {
+  constexpr std::size_t kRung = 30;
+  Ladder<float> ladder{};
+  ladder[kRung] = 40;
+  MonitorMemory memory;
+  memory.pool.add(ladder, 500);
+
+  Small later({});
+  later.restore(memory, 6.58F);  // 0.9 to this power is a half
+  EXPECT_NEAR(later.memory().pool.windows(), 0.5, 0.01);
+
+  Plant plant;
+  plant.monitor->restore(memory, 0);
+  plant.feed(100, constant);
+  plant.monitor->evaluate_now();
+  ASSERT_EQ(plant.report().reason, Reason::kConstant);
+  EXPECT_GT(plant.report().pooled.nats, 25);
+  EXPECT_FLOAT_EQ(plant.report().pooled.band, rung_band<float>(kRung, 100));
+}
+
+TEST(Monitor, LooksAgainOnceHalfAsManySamplesAreNew) {
+  Plant plant;
+  int before = 0;
+  for (int window = 0; window < 4; ++window) {
+    while (!plant.monitor->due()) plant.feed(1, limit_cycle_wave);
+    if (before > 0) {
+      EXPECT_EQ(plant.count - before, std::max(before / 2, 60));
+    }
+    before = plant.count;
+    while (plant.monitor->step(1000)) {
+    }
+  }
+  EXPECT_GT(before / 2, 60);
+}
+
 TEST(Monitor, GoesOnWithTheSamplesOfBefore) {
   const auto fill = [](Small& monitor) {
     for (int k = 0; k < 600; ++k) {

@@ -15,21 +15,23 @@ constexpr std::size_t kSurveySamples = 1200;
 constexpr double kTwoPi = 6.283185307179586;
 
 /// A PI controller (Kc 0.8, Ki 0.05 a sample) around a lag, moved by a load of 60
-/// samples' period; gain +1 or −1.
+/// samples' period; gain +1 or −1. With `steps` of the setpoint, which is known then.
 struct SurveyLoop {
-  explicit SurveyLoop(double gain) {
+  explicit SurveyLoop(double gain, double steps = 0) {
     double state = 0;
     double law = 0;
     for (std::size_t t = 0; t < kSurveySamples; ++t) {
       const double load = std::sin(kTwoPi * static_cast<double>(t) / 60);
-      const double measured = state + load;
+      const double wanted = t / 85 % 2 == 0 ? 0 : steps;
+      if (steps > 0) sp.push_back(20 + wanted);
+      const double measured = state + load - wanted;
       law -= 0.05 * measured / gain;
       u.push_back(50 + law - 0.8 * measured / gain);
-      y.push_back(20 + measured);
+      y.push_back(20 + measured + wanted);
       state += (gain * (u.back() - 50) - state) / 15;
     }
   }
-  std::vector<double> u, y;
+  std::vector<double> u, y, sp;
 };
 
 struct Survey {
@@ -37,7 +39,7 @@ struct Survey {
     const auto survey = std::make_unique<WindowSurvey<double>>();
     std::vector<double> scratch(loop.u.size());
     ascending.resize(scratch.size());
-    survey->start({loop.u, loop.y, {}, ascending, scratch, told});
+    survey->start({loop.u, loop.y, loop.sp, ascending, scratch, told});
     while (!survey->step(result)) {
       ++pieces;
     }
@@ -129,6 +131,97 @@ TEST(WindowSurvey, ReadsTheSignFromTheControllersLaw) {
   const Survey reverse{SurveyLoop(-1)};
   EXPECT_EQ(reverse.result.gain_sign, -1);
   EXPECT_LT(reverse.of_y.factor, 0);
+}
+
+// It answers the error, in which a setpoint that moves is the larger part here.
+TEST(WindowSurvey, ReadsTheLawOfALoopWhoseSetpointMoves) {
+  const SurveyLoop moved(1, 5);
+  const Survey survey{moved};
+  EXPECT_NEAR(survey.result.controller.proportional, 0.8, 0.05);
+  EXPECT_NEAR(survey.result.controller.integral, 0.05, 0.01);
+  EXPECT_TRUE(survey.result.loop.law_known);
+}
+
+// Steps by hand tell no law: the sign is that with which u explains y.
+TEST(WindowSurvey, FindsTheSignOfALoopInManual) {
+  for (const double gain : {2.0, -2.0}) {
+    test::Random random(3);
+    SurveyLoop manual(1);
+    double state = 0;
+    for (std::size_t t = 0; t < kSurveySamples; ++t) {
+      manual.u[t] = t / 70 % 2 == 0 ? 40 : 44;
+      state += (gain * manual.u[t] - state) / 15;
+      manual.y[t] = state + 0.2 * test::normal(random);
+    }
+    const Survey survey{manual};
+    EXPECT_FALSE(survey.result.loop.law_known);
+    EXPECT_EQ(survey.result.gain_sign, gain > 0 ? 1 : -1);
+    EXPECT_EQ(survey.of_y.factor > 0, gain > 0);
+    EXPECT_TRUE(survey.result.evidence.by_hand);
+  }
+  EXPECT_FALSE(Survey{SurveyLoop(1)}.result.evidence.by_hand);
+}
+
+TEST(WindowSurvey, MarksTheDirectionOfU) {
+  const SurveyLoop loop(1);
+  const Survey survey{loop};
+  std::size_t right = 0;
+  for (std::size_t t = 1; t < kSurveySamples; ++t) {
+    right += (survey.ascending[t] == 1) == (loop.u[t] > loop.u[t - 1]);
+  }
+  EXPECT_GT(right, kSurveySamples * 95 / 100);
+  EXPECT_NEAR(survey.result.evidence.reversals, 2 * survey.result.cycles, 2);
+}
+
+TEST(WindowSurvey, LooksAtTheShapeOfU) {
+  const SurveyLoop loop(1);
+  const Survey survey{loop};
+  EXPECT_TRUE(survey.result.loop.oscillates);
+  EXPECT_EQ(survey.result.loop.regularity, survey.result.oscillation.regularity);
+  EXPECT_EQ(survey.result.loop.cycles, survey.result.cycles);
+  EXPECT_NEAR(survey.result.loop.kurtosis, 1.5, 0.05);
+}
+
+// At a limit for long, or with its crests alone.
+TEST(WindowSurvey, MeasuresHowLongUIsAtItsLimits) {
+  test::Random random(4);
+  SurveyLoop loop(1);
+  for (double& u : loop.u) u += 0.01 * test::normal(random);
+  EXPECT_EQ(Survey{loop}.result.loop.limit_share, 0);
+  const double crest = *std::max_element(loop.u.end() - 60, loop.u.end());
+  for (const double limit : {crest - 0.3, crest - 0.015}) {
+    SurveyLoop limited = loop;
+    std::size_t resting = 0;
+    for (double& u : limited.u) {
+      resting += u >= limit;
+      u = std::min(u, limit);
+    }
+    EXPECT_NEAR(Survey{limited}.result.loop.limit_share,
+                static_cast<double>(resting) / kSurveySamples, 1e-9);
+  }
+}
+
+// Swings of irregular length on a wave four times as high; they are no drift without it.
+TEST(WindowSurvey, KnowsSwingsOnADrift) {
+  for (const double wave : {0.0, 16.0}) {
+    test::Random random(5);
+    SurveyLoop drifting(1);
+    double state = 0;
+    double side = 4;
+    std::size_t turn = 0;
+    for (std::size_t t = 0; t < kSurveySamples; ++t) {
+      if (t == turn) {
+        side = -side;
+        turn += static_cast<std::size_t>(test::uniform(random, 10, 90));
+      }
+      state += (side - state) / 5;
+      drifting.u[t] = 50 + state + wave * std::sin(kTwoPi * static_cast<double>(t) / 900);
+      drifting.y[t] = drifting.u[t] + test::normal(random);
+    }
+    const Survey survey{drifting};
+    if (wave > 0) EXPECT_FALSE(survey.result.oscillation.detected);
+    EXPECT_EQ(survey.result.evidence.drifts, wave > 0) << survey.movement.swing;
+  }
 }
 
 TEST(WindowSurvey, ToldIsToldWhateverTheLaw) {

@@ -317,6 +317,31 @@ TEST(ClosedLoopEvidence, SaysNothingOfATooShortWindow) {
   EXPECT_EQ(enough.climb().predicted, 100u);
 }
 
+TEST(ClosedLoopEvidence, ForgetsTheWindowBefore) {
+  const Signals signals = sticking(5, 700);
+  Asked<double> anew(signals);
+  const LadderFinding<double> expected = anew.climb();
+  Asked<double> again(sticking(2, 900));
+  (void)again.climb();
+  (void)again.nats_beside_u();
+  Asked<double> next(signals);
+  next.evidence = again.evidence;
+  const LadderFinding<double> found = next.climb();
+  EXPECT_EQ(next.ladder, anew.ladder);
+  EXPECT_EQ(found.nats, expected.nats);
+  EXPECT_EQ(found.strokes, expected.strokes);
+  EXPECT_EQ(found.detectable_band, expected.detectable_band);
+  EXPECT_EQ(found.hoped_band, expected.hoped_band);
+}
+
+// Means that begin with the first sample; what does not fill the last one is left.
+TEST(ClosedLoopEvidence, ThinsOutByMeans) {
+  const Signal from{1, 2, 6, 0, -3, 3, 100};
+  Signal to(2);
+  thin_out<double>(from, 3, to);
+  EXPECT_EQ(to, Signal({3, 0}));
+}
+
 TEST(ClosedLoopEvidence, IsTheSameWhateverTheBudget) {
   const Signals signals = sticking(5);
   Asked<float> whole(signals);

@@ -36,6 +36,22 @@ TEST(EvidencePool, AddsUpWhatWindowsSayOfOneBand) {
   EXPECT_EQ(pool.windows(), 2);
 }
 
+// How far the stem slips is another question than how wide the band is.
+TEST(EvidencePool, KnowsTheBandOfValvesThatSlipInOtherWays) {
+  EvidencePool pool;
+  auto ladder = ladder_of(20);
+  (*ladder)[kRungs + kRung] = 19.5;
+  pool.add(*ladder, 500);
+  const LadderFinding<double> one = pool.finding(kSpan);
+  EXPECT_NEAR(one.high / one.low, kRungRatio, 1e-9);
+  (*ladder)[kRungs + kRung + 1] = (*ladder)[kRung - 2] = 19.5;
+  EvidencePool wide;
+  wide.add(*ladder, 500);
+  const LadderFinding<double> some = wide.finding(kSpan);
+  EXPECT_NEAR(some.high / one.high, kRungRatio, 1e-9);
+  EXPECT_NEAR(one.low / some.low, kRungRatio * kRungRatio, 1e-9);
+}
+
 TEST(EvidencePool, CountsNoMoreSamplesThanFourBytesHold) {
   const EvidencePool::Memory memory{.windows = 1e7F, .predicted = 5e9F};
   const LadderFinding<float> found = EvidencePool(memory).finding(float{kSpan});

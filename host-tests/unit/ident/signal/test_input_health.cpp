@@ -157,6 +157,22 @@ TEST(InputHealth, ASingleNonFiniteSampleIsNoFaultARunOfThemIs) {
   EXPECT_GT(feed.until_change(100, HealthChange::kRestored, alive), 0);
 }
 
+TEST(InputHealth, IsRestoredByUsableSamplesInARow) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto no_number = [nan](int) { return Readings{0, nan}; };
+  Feed at_once;
+  Feed interrupted;
+  for (Feed* feed : {&at_once, &interrupted}) {
+    feed->until_change(10, HealthChange::kNone, alive);
+    feed->until_change(100, HealthChange::kFault, no_number);
+  }
+  const int needed = at_once.until_change(100, HealthChange::kRestored, alive);
+  ASSERT_GT(needed, 1);
+  EXPECT_EQ(interrupted.until_change(needed - 1, HealthChange::kNone, alive), 0);
+  EXPECT_EQ(interrupted.push(0, nan), HealthChange::kNone);
+  EXPECT_GE(interrupted.until_change(100, HealthChange::kRestored, alive), needed - 1);
+}
+
 TEST(InputHealth, FindsASenderThatNeverSendsANumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Feed feed;
