@@ -12,8 +12,6 @@
 namespace workbench {
 namespace {
 
-constexpr int kMostRedraws = 5000;
-
 // Root mean square of what the gap adds to y when u is what it was.
 double effect_of_gap(const Draft& draft, const Trajectory& run) {
   ProcessModel model = draft.setup.process;

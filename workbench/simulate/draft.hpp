@@ -13,6 +13,9 @@
 
 namespace workbench {
 
+/// Drafts of a recording until one is as its scenario wants it.
+inline constexpr int kMostRedraws = 5000;
+
 enum class LoopType {
   kFlow,   ///< time constants of a few samples, PI with the integral dominant
   kSlow,   ///< self-regulating, time constants of many samples

@@ -11,8 +11,6 @@
 namespace workbench {
 namespace {
 
-constexpr int kMostRedraws = 5000;
-
 // One to four steps after the warm-up, each at least a quarter of the range.
 std::vector<double> few_steps(Random& random, std::size_t warm_up, std::size_t samples) {
   std::vector<double> signal(warm_up + samples, 0.0);

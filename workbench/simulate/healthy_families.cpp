@@ -15,8 +15,6 @@ namespace {
 
 using Maybe = std::optional<SimulatedLoop>;
 
-constexpr int kMostRedraws = 5000;
-
 // Calls `attempt(random)` until it returns a recording.
 template <class Attempt>
 SimulatedLoop redraw(std::string_view scenario, std::uint64_t seed, Attempt attempt) {

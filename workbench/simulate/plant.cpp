@@ -15,7 +15,6 @@ namespace workbench {
 namespace {
 
 constexpr std::size_t kWarmUp = 1500;
-constexpr int kMostRedraws = 5000;
 constexpr double kHeaderLag = 4;   // samples
 constexpr double kOwnDraw = 0.04;  // of a neighbour's flow on the header
 

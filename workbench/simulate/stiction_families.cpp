@@ -11,8 +11,6 @@
 namespace workbench {
 namespace {
 
-constexpr int kMostRedraws = 5000;
-
 Friction draw_friction(Random& random, Strokes strokes) {
   const double band = random.log_uniform(1, 12);
   switch (strokes) {
