@@ -12,17 +12,12 @@
 #include <string_view>
 #include <utility>
 
+#include "wire/text.hpp"
+
 namespace hal {
 namespace {
 
 constexpr char kHex[] = "0123456789ABCDEF";
-
-int hex_value(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return -1;
-}
 
 }  // namespace
 
@@ -52,11 +47,11 @@ bool parse_slcan(std::span<const char> line, wire::CanFrame& out) {
   const std::size_t digits = out.extended ? 8 : 3;
   if (line.size() < digits + 2) return false;
   for (std::size_t k = 1; k <= digits; ++k) {
-    const int value = hex_value(line[k]);
+    const int value = wire::hex_value(line[k]);
     if (value < 0) return false;
     out.id = out.id << 4 | static_cast<std::uint32_t>(value);
   }
-  const int dlc = hex_value(line[digits + 1]);
+  const int dlc = wire::hex_value(line[digits + 1]);
   if (dlc < 0 || dlc > wire::kMaxClassicLength) return false;
   out.dlc = static_cast<std::uint8_t>(dlc);
   const std::size_t data = digits + 2;
@@ -65,8 +60,8 @@ bool parse_slcan(std::span<const char> line, wire::CanFrame& out) {
   if (line.size() != data + 2 * bytes && line.size() != data + 2 * bytes + 4)
     return false;
   for (std::size_t k = 0; k < bytes; ++k) {
-    const int high = hex_value(line[data + 2 * k]);
-    const int low = hex_value(line[data + 2 * k + 1]);
+    const int high = wire::hex_value(line[data + 2 * k]);
+    const int low = wire::hex_value(line[data + 2 * k + 1]);
     if (high < 0 || low < 0) return false;
     out.data[k] = static_cast<std::uint8_t>(high << 4 | low);
   }

@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "wire/text.hpp"
+
 namespace firmware {
 namespace {
 
@@ -19,9 +21,6 @@ constexpr std::array<std::string_view, 3> kSetpoints{"SETPOINT", "SETPT", "SP"};
 
 bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
 std::string upper(std::string_view text) {
@@ -63,7 +62,7 @@ std::string loop_of(std::string_view title) {
       continue;
     }
     close();
-    if (is_digit(c)) out += c;
+    if (wire::is_digit(c)) out += c;
   }
   close();
   return out;
@@ -71,7 +70,7 @@ std::string loop_of(std::string_view title) {
 
 std::string digits_of(const std::string& text) {
   std::string out;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(out), is_digit);
+  std::copy_if(text.begin(), text.end(), std::back_inserter(out), wire::is_digit);
   return out;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "wire/text.hpp"
+
 namespace config {
 namespace {
 
@@ -13,10 +15,6 @@ std::string_view line_of(std::string_view text, int line) {
     text.remove_prefix(end + 1);
   }
   return text.substr(0, text.find('\n'));
-}
-
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
 // The single value behind `key =`; empty: there is none, or it begins as another thing.
@@ -37,9 +35,9 @@ bool is_decimal_comma(std::string_view value) {
   const std::size_t comma = value.find(',');
   return comma != std::string_view::npos && comma > 0 && comma + 1 < value.size() &&
          std::all_of(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(comma),
-                     is_digit) &&
+                     wire::is_digit) &&
          std::all_of(value.begin() + static_cast<std::ptrdiff_t>(comma) + 1, value.end(),
-                     is_digit);
+                     wire::is_digit);
 }
 
 bool is_text(std::string_view value) {

@@ -7,19 +7,13 @@
 #include <cstring>
 
 #include "workbench/cli/exit_code.hpp"
+#include "workbench/recording/letters.hpp"
 
 namespace workbench::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{500};
 constexpr std::chrono::milliseconds kRefresh{200};
-
-// Characters of UTF-8 text: bytes that do not continue one.
-std::size_t characters(std::string_view text) {
-  std::size_t count = 0;
-  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  return count;
-}
 
 }  // namespace
 

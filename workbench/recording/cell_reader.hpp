@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "wire/text.hpp"
+
 namespace workbench {
 
 inline constexpr std::size_t kMostHeaderCells = 4096;
@@ -17,9 +19,7 @@ inline constexpr std::size_t kMostHeaderCells = 4096;
 /// The first line of a text, without its end, LF or CRLF; it goes from the text with it.
 [[nodiscard]] std::string_view take_whole_line(std::string_view& text);
 
-[[nodiscard]] constexpr bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
-}
+using wire::is_line_end;
 
 /// Splits one line; a quoted cell may contain the separator, and the id of an OPC UA node
 /// a semicolon. Several blanks separate

@@ -33,6 +33,12 @@ using wire::is_digit;
   return out;
 }
 
+/// Letters, digits and signs of UTF-8, which may have several bytes each.
+[[nodiscard]] inline std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 /// Whether some word of a table, words with | between them, fits.
 template <class Fits>
 [[nodiscard]] constexpr bool any_word(std::string_view words, Fits fits) {

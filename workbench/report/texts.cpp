@@ -38,12 +38,6 @@ std::size_t next_gap(std::string_view text, std::size_t from) {
   return std::string_view::npos;
 }
 
-std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
-}
-
 // White space as the page takes it: runs of it are one blank.
 std::string with_single_blanks(std::string_view text) {
   std::string out;

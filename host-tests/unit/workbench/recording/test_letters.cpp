@@ -25,5 +25,11 @@ TEST(Letters, FindAWordInAList) {
   EXPECT_FALSE(begins_with_one_of("ma", kWords) || begins_with_one_of("xman", kWords));
 }
 
+TEST(Letters, CountCharactersAndNotTheirBytes) {
+  EXPECT_EQ(characters(""), 0U);
+  EXPECT_EQ(characters("Ventil"), 6U);
+  EXPECT_EQ(characters("Öffnung 5 µm ±"), 14U);
+}
+
 }  // namespace
 }  // namespace workbench
