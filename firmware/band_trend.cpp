@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "wire/calendar.hpp"
+
 namespace firmware {
 namespace {
 
-constexpr std::int64_t kDay_s = 86'400;
 constexpr double kResolution = 0.01;  // % of span, of a row of the history
 constexpr double kNormal95 = 1.959964;
 constexpr double kNormal998 = 3.090232;
@@ -90,7 +91,7 @@ double days_to(double gap, double slope) {
 
 void BandTrend::add(std::int64_t epoch_s, double band_pct) {
   if (epoch_s < 0 || !std::isfinite(band_pct)) return;
-  const auto day = static_cast<std::int32_t>(epoch_s / kDay_s);
+  const auto day = static_cast<std::int32_t>(epoch_s / wire::kDayS);
   Day& entry = days_[static_cast<std::size_t>(day % kDays)];
   if (entry.day > day) return;
   if (entry.day < day) entry = {day, 0, 0};
@@ -100,7 +101,7 @@ void BandTrend::add(std::int64_t epoch_s, double band_pct) {
 }
 
 Trend BandTrend::find(std::int64_t epoch_s, double limit_pct) const {
-  const auto today = static_cast<std::int32_t>(epoch_s / kDay_s);
+  const auto today = static_cast<std::int32_t>(epoch_s / wire::kDayS);
   Trend trend = fit(today);
   const Trend before = fit(today - kConfirmDays);
   trend.stands = trend.stands && before.stands && trend.slope * before.slope > 0;

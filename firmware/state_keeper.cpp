@@ -12,6 +12,7 @@
 
 #include "hal/message.hpp"
 #include "wire/big_endian.hpp"
+#include "wire/calendar.hpp"
 #include "wire/crc32.hpp"
 
 namespace firmware {
@@ -140,7 +141,7 @@ void StateKeeper::keep_windows(Daemon& daemon, const Now& now, WriteBudget& budg
   }
   const std::size_t size = save_windows(daemon, now, kSlow_s);
   if (size == 0) budget.give_back(1);
-  constexpr double kDay_us = 86'400e6;
+  constexpr double kDay_us = 1e6 * wire::kDayS;
   samples_us_ =
       now.us + std::max<std::int64_t>(kMinute_us, std::llround(static_cast<double>(size) /
                                                                kMostDaily * kDay_us));

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "wire/calendar.hpp"
+
 namespace firmware {
 
 void WriteBudget::set(int an_hour) {
-  constexpr std::int64_t kHour_us = 3'600'000'000;
+  constexpr std::int64_t kHour_us = std::int64_t{1'000'000} * wire::kHourS;
   // What is saved up comes on top of what is earned in an hour.
   const int earned = std::max(an_hour, kLeastAnHour) - kMost;
   every_us_ = kHour_us / earned + 1;

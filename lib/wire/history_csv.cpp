@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "wire/calendar.hpp"
+
 namespace wire {
 namespace {
 
@@ -76,11 +78,10 @@ std::string_view history_csv_header() {
 
 std::size_t write_history_line(const HistoryRow& row,
                                std::span<char, kMostHistoryLine> out) {
-  constexpr std::uint32_t kDay_s = 86'400;
-  const std::uint32_t second = row.time_s % kDay_s;
+  const std::uint32_t second = row.time_s % kDayS;
   Line line(out);
-  put_date(row.time_s / kDay_s, line);
-  line.put('T').whole(second / 3600, 2).put(':').whole(second / 60 % 60, 2).put(':');
+  put_date(row.time_s / kDayS, line);
+  line.put('T').whole(second / kHourS, 2).put(':').whole(second / 60 % 60, 2).put(':');
   line.whole(second % 60, 2).put("Z,").put(name_of(row)).put(row.flag ? ",1" : ",0");
   for (const double value :
        {row.stick_band_pct.ascending, row.stick_band_low_pct.ascending,

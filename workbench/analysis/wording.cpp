@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "workbench/recording/time_unit.hpp"
+
 namespace workbench {
 
 std::string_view headline(ident::Verdict verdict, ident::Reason reason,
@@ -167,9 +169,9 @@ std::string duration(double seconds) {
     return fixed(value, decimals_for(value / 10)) + ' ' + name;
   };
   if (seconds < 300) return in(1, "s");
-  if (seconds < 7200) return in(60, "min");
-  if (seconds < 172800) return in(3600, "h");
-  return in(86400, "days");
+  if (seconds < 2 * kHourS) return in(60, "min");
+  if (seconds < 2 * kDayS) return in(kHourS, "h");
+  return in(kDayS, "days");
 }
 
 double span_of(const std::vector<double>& values) {

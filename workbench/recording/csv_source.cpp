@@ -4,6 +4,7 @@
 
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/spelling/quality_words.hpp"
+#include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 
@@ -116,7 +117,6 @@ void refuse_step_back(const TimesOfRows& times, TimeForm form, const std::string
     const std::string clock = clock_text(times, time);
     return clock.empty() || form == TimeForm::kNumber ? number(time, 12) + " s" : clock;
   };
-  constexpr double kHourS = 3600;
   constexpr double kHalfDayS = 12 * kHourS;
   const double back = before - after;
   const bool twelve =

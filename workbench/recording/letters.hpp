@@ -1,6 +1,7 @@
 // Letters and digits of ASCII, whatever the locale says; words of any language.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>

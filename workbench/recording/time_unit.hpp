@@ -3,7 +3,12 @@
 
 #include <string_view>
 
+#include "wire/calendar.hpp"
+
 namespace workbench {
+
+inline constexpr double kHourS = wire::kHourS;
+inline constexpr double kDayS = wire::kDayS;
 
 /// Seconds of a unit of time as headers name it ("s", "min", "ms", "Std"); 0: no unit of
 /// time.

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "wire/calendar.hpp"
 #include "workbench/recording/written_zone.hpp"
 
 namespace workbench {
@@ -39,7 +40,9 @@ struct WrittenTime {
   double seconds = 0;
 
   /// kKnown: of day and clock, since 1 January 1970, s.
-  [[nodiscard]] double since_1970_s() const { return day * 86400.0 + seconds; }
+  [[nodiscard]] double since_1970_s() const {
+    return static_cast<double>(day) * wire::kDayS + seconds;
+  }
 };
 
 /// Reads

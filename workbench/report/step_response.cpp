@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/signal/movement.hpp"
 #include "ident/signal/reversals.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/statistics.hpp"
@@ -11,7 +12,6 @@ namespace workbench {
 namespace {
 
 // Retreat of u that confirms a turning point, as a share of its range.
-constexpr double kReversalShare = 0.3;
 
 double standard_deviation(const std::vector<double>& values) {
   const double mean = mean_of(values);
@@ -40,7 +40,7 @@ StemScale stem_scale(const ident::TwoPathModel<double>& model,
   const std::vector<double>& u = simulation.u;
   const std::vector<double>& stem = simulation.stem.empty() ? u : simulation.stem;
   std::vector<unsigned char> ascending(u.size());
-  ident::mark_directions<double>(u, kReversalShare * span_of(u), ascending, {});
+  ident::mark_directions<double>(u, ident::kReversalShare * span_of(u), ascending, {});
   std::vector<double> x(u.size());
   ident::valve_positions<double>(model, u, ascending, x);
   const double n = static_cast<double>(x.size());

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 namespace {
@@ -245,9 +246,9 @@ const char* css_class(Ink ink) {
 
 TimeUnit time_unit_for(double span_s) {
   if (span_s < 600) return {1, "time, s"};
-  if (span_s < 6 * 3600) return {60, "time, min"};
-  if (span_s < 4 * 86400) return {3600, "time, h"};
-  return {86400, "time, days"};
+  if (span_s < 6 * kHourS) return {60, "time, min"};
+  if (span_s < 4 * kDayS) return {kHourS, "time, h"};
+  return {kDayS, "time, days"};
 }
 
 std::vector<double> ticks(double low, double high, int count) {

@@ -8,12 +8,12 @@
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/time_unit.hpp"
 #include "workbench/serve/html_texts.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr double kDay_s = 86400;
 constexpr int kDigits = 4;  // of the times in sentences
 
 // The start of a recording in s since 1970, as the file writes it.
@@ -25,7 +25,7 @@ std::optional<double> clock_of(const std::string& start) {
   }
   const std::chrono::sys_days date =
       std::chrono::year(year) / static_cast<unsigned>(month) / static_cast<unsigned>(day);
-  return static_cast<double>(date.time_since_epoch().count()) * kDay_s + hour * 3600 +
+  return static_cast<double>(date.time_since_epoch().count()) * kDayS + hour * kHourS +
          minute * 60 + second;
 }
 
@@ -39,9 +39,9 @@ class Axis {
   [[nodiscard]] std::string text(double t) const {
     if (clock_) return clock_text(*clock_ + t - from_s_, std::abs(t - from_s_) < 1e4);
     const auto [size, unit] = span_s_ < 600          ? std::pair(1.0, " s")
-                              : span_s_ < 6 * 3600   ? std::pair(60.0, " min")
-                              : span_s_ < 4 * kDay_s ? std::pair(3600.0, " h")
-                                                     : std::pair(kDay_s, " d");
+                              : span_s_ < 6 * kHourS ? std::pair(60.0, " min")
+                              : span_s_ < 4 * kDayS  ? std::pair(kHourS, " h")
+                                                     : std::pair(kDayS, " d");
     return number(t / size, kDigits) + unit;
   }
 
@@ -54,7 +54,7 @@ class Axis {
     const hh_mm_ss time(at - midnight);
     char text[32];
     std::string out;
-    if (span_s_ >= kDay_s) {
+    if (span_s_ >= kDayS) {
       std::snprintf(text, sizeof text, "%04d-%02u-%02u ", static_cast<int>(date.year()),
                     static_cast<unsigned>(date.month()),
                     static_cast<unsigned>(date.day()));

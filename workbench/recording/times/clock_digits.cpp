@@ -6,14 +6,13 @@
 #include <map>
 
 #include "workbench/recording/statistics.hpp"
+#include "workbench/recording/time_unit.hpp"
 #include "workbench/recording/times/date_count.hpp"
 #include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr double kDayS = 86400;
-constexpr double kHourS = 3600;
 constexpr double kLastHhmm = 2400;
 
 struct Read {

@@ -10,12 +10,12 @@
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/statistics.hpp"
+#include "workbench/recording/time_unit.hpp"
 #include "workbench/recording/times/clock_digits.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr double kDayS = 86400;
 constexpr double k1990 = 631152000;  // s from 1970
 constexpr double k2000 = 946684800;
 constexpr double k2060 = 2840140800;

@@ -4,6 +4,7 @@
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/recording/time_unit.hpp"
 #include "workbench/recording/times/clock_digits.hpp"
 #include "workbench/recording/times/date_count.hpp"
 #include "workbench/recording/times/time_spelling.hpp"
@@ -13,8 +14,6 @@ namespace {
 
 using Day = WrittenTime::Day;
 
-constexpr double kDayS = 86400;
-constexpr double kHourS = 3600;
 // Days written with few digits, or so meant: all within 20 ms of whole seconds.
 void round_to_seconds(std::vector<double>& t, double& origin) {
   constexpr double kFewDigits = 0.02;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "workbench/recording/filled.hpp"
+#include "workbench/recording/time_unit.hpp"
 #include "workbench/recording/times/time_column.hpp"
 
 namespace workbench {
@@ -12,7 +13,6 @@ namespace {
 
 using Day = WrittenTime::Day;
 
-constexpr double kDayS = 86400;
 }  // namespace
 
 bool TimeColumn::add_day(const WrittenTime& time) {

@@ -7,17 +7,15 @@
 #include <cstdio>
 
 #include "workbench/recording/statistics.hpp"
+#include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
 namespace {
-
-constexpr double kDayS = 86400;
 
 std::chrono::year_month_day date_of(std::int32_t day) {
   return std::chrono::sys_days(std::chrono::days(day));
 }
 
-constexpr double kHourS = 3600;
 constexpr double kLatestChangeS = 4 * kHourS;  // of the day
 constexpr double kSlack = 1.5;       // intervals that one across the change may last
 constexpr double kMostJoinedS = 60;  // of real time across the step back, or 10 intervals
