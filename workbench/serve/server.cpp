@@ -1,15 +1,19 @@
 #include "workbench/serve/server.hpp"
 
 #include <httplib.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -21,8 +25,10 @@ namespace workbench {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr std::size_t kThreads = 8;
-constexpr int kKeepAlive_s = 1;
+// A connection keeps its thread while it is open, and a browser opens six.
+constexpr std::size_t kThreads = 32;
+constexpr int kKeepAlive_s = 5;  // longer than the page waits between two questions
+constexpr std::size_t kMostOnOneConnection = 100000;
 constexpr int kPatience_s = 5;
 // Of a body in pieces that is too long this much is read on and thrown away, for the
 // client hears the reason only at its end.
@@ -105,6 +111,7 @@ void set_limits(httplib::Server& http) {
   http.set_socket_options(own_the_port);
   http.set_payload_max_length(kMostBodyBytes);
   http.set_keep_alive_timeout(kKeepAlive_s);
+  http.set_keep_alive_max_count(kMostOnOneConnection);
   http.set_read_timeout(kPatience_s);
   http.set_write_timeout(kPatience_s);
   http.set_tcp_nodelay(true);
@@ -113,6 +120,23 @@ void set_limits(httplib::Server& http) {
                             {"Cross-Origin-Resource-Policy", "same-origin"},
                             {"Referrer-Policy", "no-referrer"},
                             {"X-Content-Type-Options", "nosniff"}});
+}
+
+// Nothing more comes in on the connections to this port, or else the library would wait
+// for what browsers ask next.
+void end_connections(int port) {
+  const auto is_ours = [port](int socket) {
+    sockaddr_in own = {};
+    socklen_t size = sizeof own;
+    return getsockname(socket, reinterpret_cast<sockaddr*>(&own), &size) == 0 &&
+           own.sin_family == AF_INET && ntohs(own.sin_port) == port;
+  };
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("/proc/self/fd", ignored)) {
+    const int socket = std::atoi(entry.path().filename().c_str());
+    if (is_ours(socket)) shutdown(socket, SHUT_RD);
+  }
 }
 
 // Answers what comes with a body, which is read here, for the library takes some types of
@@ -220,6 +244,7 @@ void PageServer::stop() {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   transport_->http.stop();
+  end_connections(port_);
 }
 
 }  // namespace workbench

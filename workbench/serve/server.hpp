@@ -23,7 +23,7 @@ inline constexpr int kUsualPorts = 10;
 
 /// Construct → port() → run() … stop(). Answers this machine only: requests by another
 /// name or from another web site get 403 (origin.hpp), longer bodies than kMostBodyBytes
-/// 413. Eight requests at a time; a client that stalls for 5 s is dropped.
+/// 413. 32 connections at a time; a client that stalls for 5 s is dropped.
 class PageServer {
  public:
   /// Takes `port`, one that is free for 0; without one the first that is free from
@@ -36,7 +36,8 @@ class PageServer {
   [[nodiscard]] int port() const { return port_; }
   /// Serves until stop(). False where it ended for another reason.
   [[nodiscard]] bool run();
-  /// From another thread; run() returns within about 2 s. May come before run().
+  /// From another thread; run() returns when what is being answered is. May come before
+  /// run().
   void stop();
 
  private:

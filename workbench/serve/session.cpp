@@ -220,7 +220,7 @@ void Session::say_opens(Opens opens) {
 void Session::take(Model model) {
   const SessionView before = view();
   auto step = shared_step(before.opened(), std::move(model));
-  if (worker_.progress()) throw NotNow("work is under way; wait until it is done");
+  worker_.cancel();
   push(std::move(step));
 }
 

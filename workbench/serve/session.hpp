@@ -172,8 +172,8 @@ class Session {
   /// Says which command writes the file of the recording that is open. Throws NotNow
   /// without one.
   void say_maker(std::string command);
-  /// Takes a model as it is, in place of the present one. Throws NotNow without a
-  /// recording or while work goes on, InputError where the recording lacks its output.
+  /// Takes a model as it is, in place of the present one; ends work that goes on. Throws
+  /// NotNow without a recording, InputError where the recording lacks its output.
   void take(Model model);
 
   // Each starts work. Throws NotNow where that cannot be; what else goes wrong is in

@@ -11,6 +11,9 @@ function advised(advice) {
   if (/ --decimal /.test(advice)) {
     return say('open it again with “let me choose the columns”, under More options');
   }
+  if (/a model is given with --model/.test(advice)) {
+    return say('a model or a session opens here, too, where the name of its file ends in .json; else write CSV');
+  }
   if (/^name .* --sheet/.test(advice)) return say('name the sheet, under More options');
   if (/^name the (columns?|tags?) .*--/.test(advice)) {
     return say('open it again with “let me choose the columns”, under More options');

@@ -22,6 +22,8 @@ import {showValve} from './valve.js';
 
 const BUSY_MS = 150, IDLE_MS = 3000;
 
+if (window.uPlot) $('unloaded').remove();
+
 const charts = new Charts($('charts'), $('overview'));
 let state = null;
 let shown = '';            // what is on the page: revision and verdict
@@ -53,7 +55,8 @@ async function failed(error, heading, ofFile) {
     await look();
     if (!$('elsewhere').hidden) elsewhere.point();
   } else if (error.status) {
-    complain(error, heading, ofFile);
+    // 409: it is not the file that is at fault.
+    complain(error, error.status === 409 ? undefined : heading, ofFile);
   } else {
     lost(elsewhere.holds());
   }

@@ -335,6 +335,7 @@ export default {
   'travel of u between {0} and {1} after a descending reversal': 'Weg von u zwischen {0} und {1} nach einer Umkehr nach unten',
   'travel of u between {0} and {1} after an ascending reversal': 'Weg von u zwischen {0} und {1} nach einer Umkehr nach oben',
   'travel of u between {0} and {1} around its reversals': 'Weg von u zwischen {0} und {1} um seine Umkehrungen',
+  'travel of u since its last reversal, {0}': 'Weg von u seit der letzten Umkehr, {0}',
   'travel of u since its last reversal, u': 'Weg von u seit der letzten Umkehr, u',
   'two-path model': 'Zweiwegemodell',
   'two-path model, ascending': 'Zweiwegemodell, steigend',
