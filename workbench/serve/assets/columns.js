@@ -45,6 +45,7 @@ export class Columns {
   // `beside`: to lie beside the recording that is open.
   async show(file, query, problem = null, beside = this.file === file && this.beside) {
     if (file !== this.file) this.loads = new Set();
+    this.taken = '';
     Object.assign(this, {file, beside, query: {...query}});
     const found = await post(withQuery('/api/columns', {name: file.name, ...this.query}), file);
     if (this.file !== file) throw new GivenUp();
@@ -100,6 +101,8 @@ export class Columns {
   }
 
   choose(name, role) {
+    const former = ROLES.includes(role) && this.roles[role] !== name && this.roles[role];
+    this.taken = former ? say('{0} is {1} now; {2} was, and is not used any more.', name, role, former) : '';
     for (const other of ROLES) {
       if (this.roles[other] === name || other === role) delete this.roles[other];
     }
@@ -175,12 +178,23 @@ export class Columns {
     this.open(this.file, {...this.query, ...roles, load: loads.join('\n')});
   }
 
+  // Why these columns cannot be used yet.
+  lacks() {
+    if (!this.found.signals.length) return '';
+    if (this.found.needs_time) return say('Say which column has the times, or how far the samples are apart.');
+    if (!this.roles.u) return say('Say which signal is u, the controller output.');
+    return this.roles.y || this.roles.x ? '' : say('Say which signal is y, the process output.');
+  }
+
   draw() {
     const {found} = this, list = element('ul', {className: 'signals'});
     for (const signal of found.signals) list.append(this.card(signal));
     const ready = this.roles.u && (this.roles.y || this.roles.x) && !found.needs_time;
     const go = element('button', {type: 'button', className: 'primary',
       textContent: say('Use these columns'), disabled: !ready});
+    const said = [this.taken, this.lacks()].filter(Boolean).join(' ');
+    const why = element('p', {id: 'columns-why', className: 'fine', textContent: said, hidden: !said});
+    why.setAttribute('role', 'status');
     go.onclick = () => this.use(this.roles);
     const rest = element('button', {type: 'button', textContent: say('All others are loads')});
     rest.onclick = () => {
@@ -208,7 +222,7 @@ export class Columns {
     if (found.signals.length < 2) {
       what.push(element('p', {textContent: say('Read so, the file has fewer than two signals. Choose another column of times, or export it as a table with a column of its own for each signal.')}));
     }
-    $('columns').replaceChildren(...what, ...this.dates(), ...this.loops(), this.times(), list,
+    $('columns').replaceChildren(...what, ...this.dates(), ...this.loops(), this.times(), list, why,
       element('p', {className: 'choices'}, go, ' ', rest, ' ', cancel));
   }
 }
