@@ -162,7 +162,7 @@ export class Charts {
     const withUnit = name => this.units[name] ? `${name}, ${this.units[name]}` : name;
     const line = (label, ink, width, values, more = {}) => ({label, ink, width, values, more});
     const output = this.measured();
-    if (d.sp) output.push(line(say('setpoint'), 'setpoint', 1, d.sp, {dash: [6, 4]}));
+    if (d.sp) output.push(line(say('setpoint'), 'setpoint', 1.4, d.sp, {dash: [6, 4]}));
     this.index = {output, simulated: output.length};
     // 95 % of the residual lies in the band.
     const around = d.residual ? spread(d.residual) : 0;
@@ -220,17 +220,20 @@ export class Charts {
     this.plots.push({plot, lines, axis, name});
   }
 
-  // How far the values of a plot reach, with what its lines hide.
+  // How far the values of a plot reach, with what its lines hide; the band around them is
+  // cut off, or the lines would be flat beside it.
   reach(name, least, most) {
     const seen = this.plots.find(item => item.name === name)?.seen;
     if (!seen) return [least ?? 0, most ?? 1];
     let low = Infinity, high = -Infinity;
-    for (const {bottom, top} of seen) {
-      for (const value of bottom) if (value !== null && value < low) low = value;
-      for (const value of top) if (value !== null && value > high) high = value;
+    for (const {lows, highs} of seen) {
+      for (const value of lows) if (value !== null && value < low) low = value;
+      for (const value of highs) if (value !== null && value > high) high = value;
     }
     const room = 0.05 * (high - low) || 1;
-    return [low - room, high + room];
+    // The strip below the residual has a place of its own.
+    const below = name === 'residual' ? 3 * room : room;
+    return [low - below, high + room];
   }
 
   // Behind each line what it is the mean of, and the band that its residual lies in.
@@ -278,8 +281,8 @@ export class Charts {
       item.seen = signals.map(({mean, low, high}, i) => {
         const around = lines[i].more.around ?? 0;
         const by = (values, value) => value ? values.map(v => v === null ? null : v + value) : values;
-        return {bottom: by(dense ? low : mean, -around), top: by(dense ? high : mean, around),
-                thick: dense || around > 0};
+        const lows = dense ? low : mean, highs = dense ? high : mean;
+        return {lows, highs, bottom: by(lows, -around), top: by(highs, around), thick: dense || around > 0};
       });
       plot.setData([t, ...signals.map(({mean}) => mean)], true);
     }
