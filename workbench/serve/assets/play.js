@@ -3,7 +3,7 @@ import {ApiError, get, post} from './api.js';
 import {complain} from './alert.js';
 import {parameterWords} from './direction.js';
 import {$, capital, element, noNumber, number, readNumber, written} from './dom.js';
-import {say} from './texts.js';
+import {say, translated} from './texts.js';
 
 const STEPS = 1000;
 
@@ -59,10 +59,20 @@ export class Play {
     $('play').hidden = false;
   }
 
+  // A number that stands for a choice: its words.
+  choice(group, name, parameter, put, fixed) {
+    const words = capital(parameterWords(parameter.words));
+    const box = element('select', {ariaLabel: `${this.title(group)}: ${words}`},
+      ...parameter.choices.map(([value, text]) => element('option',
+        {value, textContent: translated(text), selected: text === parameter.choice})));
+    box.onchange = () => put(Number(box.value));
+    return element('li', {className: 'chosen'}, element('span', {textContent: words}), box,
+      element('label', {className: 'fine'}, fixed, ' ' + say('fixed')));
+  }
+
   row(group, name, parameter) {
     const scale = scaleOf(parameter), words = parameterWords(parameter.words);
     const label = `${this.title(group)}: ${words}`;
-    const unit = parameter.unit === '1' ? '' : parameter.unit;
     const slider = element('input', {type: 'range', min: 0, max: STEPS, step: 1,
       value: Math.round(scale.at(parameter.value))});
     const field = element('input', {type: 'text', inputMode: 'decimal', size: 9, autocomplete: 'off',
@@ -92,8 +102,9 @@ export class Play {
     fixed.onchange = () => {
       if (fixed.checked) this.held.add(key); else this.held.delete(key);
     };
+    if (parameter.choices) return this.choice(group, name, parameter, put, fixed);
     return element('li', {}, element('span', {textContent: capital(words)}),
-      slider, field, element('span', {className: 'fine', textContent: unit}),
+      slider, field, element('span', {className: 'fine', textContent: parameter.unit_in_words}),
       element('label', {className: 'fine'}, fixed, ' ' + say('fixed')));
   }
 
