@@ -16,9 +16,8 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int kPanelWidth = 340;
-constexpr int kPanelHeight = 210;
 constexpr int kStepWidth = 104;
+constexpr std::size_t kStepLetters = 16;  // that it has room for
 
 const Values& output_of(const ModelReport& report) {
   return report.recording.values(report.model.output);
@@ -88,6 +87,16 @@ std::string line_break_near_middle(std::string words) {
   return words;
 }
 
+std::size_t longest_line(const std::string& words) {
+  std::size_t longest = 0;
+  for (std::size_t begin = 0; begin <= words.size();) {
+    const std::size_t end = std::min(words.find('\n', begin), words.size());
+    longest = std::max(longest, end - begin);
+    begin = end + 1;
+  }
+  return longest;
+}
+
 // A step of the history as a name below the curve.
 std::string step_name(const std::string& effect) {
   if (effect == "process") return "start";
@@ -121,141 +130,6 @@ bool is_on_the_way(const std::vector<HistoryStep>& history,
     return later.recording == step->recording &&
            later.rmse_validation_after <= kHigher * least;
   });
-}
-
-// Of what is there never "0 %".
-std::string percent(double share) {
-  const bool little = share > 0 && share < 0.005;
-  return (little ? number(100 * share, 1) : fixed(100 * share, 0)) + " %";
-}
-
-struct Panel {
-  const ViewCurve* curve;
-  const Failure* failure;  // null where the error lies as the samples do
-};
-
-std::string panel_text(const Panel& panel, const Comparison& comparison) {
-  const View view = panel.curve->view;
-  if (view == View::kLag) {
-    const Whiteness& test = comparison.residual_test;
-    const auto beyond = [&test](double bar) { return std::abs(bar) > test.bound; };
-    return test.follows_u
-               ? std::ranges::any_of(panel.curve->mean, beyond)
-                     ? "The residual still follows u, beyond chance."
-                     : "The residual still follows u, beyond chance: no bar alone "
-                       "reaches the dashed lines, but all of them together do not come "
-                       "by chance."
-               : "The residual does not follow u: bars beyond the dashed lines are "
-                 "chance, or u answering the output.";
-  }
-  if (panel.failure == nullptr) return "No place stands out.";
-  return "<b>" + percent(panel.failure->share_of_error) +
-         " of the squared error</b> in " + percent(panel.failure->share_of_samples) +
-         " of the samples: " + escaped(panel.failure->where);
-}
-
-const char* panel_title(View view) {
-  switch (view) {
-    case View::kTime:
-      return "Time";
-    case View::kPhase:
-      return "Phase of the cycle";
-    case View::kLevel:
-      return "Level of u";
-    case View::kDirection:
-      return "Direction of u";
-    case View::kSpeed:
-      return "Speed of u";
-    case View::kTravel:
-      return "Distance of u since its reversal";
-    case View::kFrequency:
-      return "Frequency";
-    case View::kLag:
-      return "Lag behind u";
-  }
-  return "";
-}
-
-// Size of the error in each bin as bars, its mean as a line.
-void draw_places(const ModelReport& report, const ViewCurve& curve, Plot& plot) {
-  const Comparison& comparison = report.comparison;
-  const double rmse = comparison.quality.rmse;
-  const double width =
-      curve.position.size() > 1 ? curve.position[1] - curve.position[0] : 1;
-  PlotLine mean{"", Ink::kMeasured, {}, {}};
-  for (std::size_t i = 0; i < curve.position.size(); ++i) {
-    if (!(curve.sample_share[i] > 0)) continue;
-    const double at = curve.position[i];
-    const double size = rmse * std::sqrt(curve.error_share[i] / curve.sample_share[i]);
-    plot.bars.push_back({at - width / 2, at + width / 2, size,
-                         curve.error_share[i] > 1.2 * curve.sample_share[i]});
-    mean.x.push_back(at);
-    mean.y.push_back(curve.mean[i]);
-  }
-  mean.is_signal = false;
-  plot.lines.push_back(std::move(mean));
-  plot.levels.push_back({"", rmse});
-  plot.y_label = output_unit(report);
-}
-
-// Shares by period; the names of some bins only, as many as there is room for.
-void draw_frequencies(const ViewCurve& curve, Plot& plot) {
-  constexpr std::size_t kMostNames = 6;
-  const std::size_t bins = curve.position.size();
-  const std::size_t every = bins / kMostNames + 1;
-  for (std::size_t i = 0; i < bins; ++i) {
-    const auto at = static_cast<double>(i);
-    plot.bars.push_back({at - 0.5, at + 0.5, 100 * curve.error_share[i],
-                         curve.error_share[i] > curve.sample_share[i] + 0.2});
-    const bool named = (bins - 1 - i) % every == 0;
-    plot.names.push_back(!named         ? ""
-                         : i + 1 < bins ? fixed(curve.position[i], curve.position[i] < 10)
-                                        : "longer");
-  }
-  plot.y_label = "% of the squared error";
-}
-
-void draw_lags(const ModelReport& report, const ViewCurve& curve, Plot& plot) {
-  const double half = report.recording.period_s / 2;
-  const Whiteness& test = report.comparison.residual_test;
-  const double bound = test.bound;
-  for (std::size_t i = 0; i < curve.position.size(); ++i) {
-    plot.bars.push_back({curve.position[i] - half, curve.position[i] + half,
-                         curve.mean[i],
-                         test.follows_u && std::abs(curve.mean[i]) > bound});
-  }
-  plot.levels = {{"", bound}, {"", -bound}};
-  plot.y_label = "correlation";
-}
-
-std::string panel_html(const ModelReport& report, const Panel& panel) {
-  const ViewCurve& curve = *panel.curve;
-  Plot plot;
-  plot.title = std::string("residual: ") + panel_title(curve.view);
-  plot.x_label = curve.coordinate;
-  plot.width = kPanelWidth;
-  plot.height = kPanelHeight;
-  if (curve.view == View::kFrequency) {
-    draw_frequencies(curve, plot);
-  } else if (curve.view == View::kLag) {
-    draw_lags(report, curve, plot);
-  } else {
-    draw_places(report, curve, plot);
-  }
-  if (panel.failure == nullptr && curve.view != View::kLag) {
-    for (PlotBar& bar : plot.bars) bar.raised = false;
-  }
-  if (curve.view == View::kDirection) {
-    // Bins at -1, 0 and 1, of which the middle one is always empty.
-    plot.names = {"falling", "", "rising"};
-    for (PlotBar& bar : plot.bars) {
-      bar.low += 1.2;
-      bar.high += 0.8;
-    }
-    plot.lines.clear();
-  }
-  return std::string("<div><h3>") + panel_title(curve.view) + "</h3><p>" +
-         panel_text(panel, report.comparison) + "</p>" + figure(plot, "") + "</div>\n";
 }
 
 }  // namespace
@@ -305,7 +179,8 @@ std::string overlay_figures(const ModelReport& report) {
   Plot u =
       signals(report, "controller output over time", 150, 0, n,
               {{{"controller output u", Ink::kMeasured, {}, {}}, &report.recording.u}});
-  u.y_label = "u";
+  const std::string& unit = report.recording.unit(Column::u);
+  u.y_label = unit.empty() ? "u" : "u, " + unit;
   Plot residual = signals(report, "residual over time", 130, 0, n,
                           {{{"residual, measured minus simulated", Ink::kLinear, {}, {}},
                             &report.comparison.residual}});
@@ -320,8 +195,7 @@ std::string ladder_figure(const ModelReport& report) {
   Plot plot;
   plot.title = "validation error after each step";
   plot.y_label = "validation error, " + output_unit(report);
-  plot.height = 316;
-  plot.staggered = true;
+  plot.height = 300;
   plot.include_zero = true;
   PlotLine curve{"", Ink::kTwoPath, {}, {}};
   curve.is_signal = false;
@@ -361,6 +235,9 @@ std::string ladder_figure(const ModelReport& report) {
   plot.lines.push_back(std::move(curve));
   const double noise = noise_floor(report);
   if (noise > 0) plot.levels.push_back({"noise, about " + number(noise, 3), noise});
+  plot.staggered = std::ranges::any_of(plot.names, [](const std::string& name) {
+    return longest_line(name) > kStepLetters;
+  });
   plot.width = kStepWidth * std::max(5, static_cast<int>(plot.names.size()));
   std::string caption =
       "Error of the free simulation on the samples that had no part in the fit.";
@@ -369,23 +246,6 @@ std::string ladder_figure(const ModelReport& report) {
   }
   if (replaced) caption += " Effects that were replaced on the way are in the table.";
   return figure(plot, caption);
-}
-
-std::string residual_panels(const ModelReport& report) {
-  std::vector<Panel> panels;
-  for (const Failure& failure : report.comparison.failures) {
-    for (const ViewCurve& curve : report.comparison.views) {
-      if (curve.view == failure.view) panels.push_back({&curve, &failure});
-    }
-  }
-  for (const ViewCurve& curve : report.comparison.views) {
-    const bool shown = std::any_of(panels.begin(), panels.end(),
-                                   [&](const Panel& p) { return p.curve == &curve; });
-    if (!shown && !curve.position.empty()) panels.push_back({&curve, nullptr});
-  }
-  std::string out;
-  for (const Panel& panel : panels) out += panel_html(report, panel);
-  return out.empty() ? out : "<div class=\"panels\">" + out + "</div>\n";
 }
 
 }  // namespace workbench

@@ -29,6 +29,11 @@ std::string fall(double before, double after) {
   return (percent > 0 ? "+" : "−") + fixed(size, size < 1 ? 1 : 0) + "\u00a0%";
 }
 
+std::string with_minus(double value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  return text.starts_with('-') ? "−" + text.substr(1) : text;
+}
+
 std::string cannot_tell(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return {};
   return filled(c.with.empty()
@@ -247,7 +252,7 @@ std::string model_tiles(const ModelReport& report) {
   const double noise = noise_floor(report);
   const double refitted = refitted_error(report);
   std::string out =
-      tile("Explained by the model", fixed(comparison.quality.fit_percent, 1) + " %",
+      tile("Explained by the model", with_minus(comparison.quality.fit_percent, 1) + " %",
            "from u alone, free simulation of all samples") +
       tile("Validation error", number(now, 3), in_units(report, refitted, noise));
   const std::vector<HistoryStep>& history = report.model.history;

@@ -15,6 +15,7 @@ constexpr double kLeft = 64;
 constexpr double kRight = 14;
 constexpr double kTop = 10;
 constexpr double kBottom = 40;
+constexpr double kLine = 14;   // of text
 constexpr double kLower = 28;  // of every second name, where they are staggered
 
 struct Range {
@@ -91,7 +92,6 @@ std::string words_at(double px, double py, const char* anchor, const std::string
 
 // The names below the x axis, one below the other where they have several lines.
 std::string names(const Plot& plot, const Axis& x, double top) {
-  constexpr double kLine = 14;
   std::string out;
   for (std::size_t i = 0; i < plot.names.size(); ++i) {
     std::size_t begin = 0;
@@ -105,6 +105,16 @@ std::string names(const Plot& plot, const Axis& x, double top) {
     }
   }
   return out;
+}
+
+// Room below the x axis.
+double below(const Plot& plot) {
+  std::ptrdiff_t breaks = 1;
+  for (const std::string& name : plot.names) {
+    breaks = std::max(breaks, std::ranges::count(name, '\n'));
+  }
+  return kBottom + (plot.staggered ? kLower : 0) +
+         kLine * static_cast<double>(breaks - 1);
 }
 
 std::string bars(const Plot& plot, const Axis& x, const Axis& y) {
@@ -133,6 +143,18 @@ std::string levels(const Plot& plot, const Axis& x, const Axis& y) {
   return out;
 }
 
+// Above its point, or beside that where the line comes from above or goes there.
+std::string note(const std::string& words, double x, double y, double y_before,
+                 double y_after) {
+  constexpr double kSteep = 30;
+  const bool from_above = y_before < y - kSteep;
+  const bool to_above = y_after < y - kSteep;
+  if (from_above && to_above) return words_at(x, y + 20, "middle", words);
+  if (from_above) return words_at(x + 8, y - 5, "start", words);
+  if (to_above) return words_at(x - 8, y - 5, "end", words);
+  return words_at(x, y - 11, "middle", words);
+}
+
 // The points of a line that has notes.
 std::string marks(const PlotLine& line, const Axis& x, const Axis& y) {
   std::string dots;
@@ -142,7 +164,8 @@ std::string marks(const PlotLine& line, const Axis& x, const Axis& y) {
     const double py = y.at(line.y[i]);
     dots += std::string("<circle class=\"mark ") + css_class(line.ink) + "\" cx=\"" +
             pixel(px) + "\" cy=\"" + pixel(py) + "\" r=\"4.5\"/>";
-    words += words_at(px, py - 11, "middle", line.notes[i]);
+    words += note(line.notes[i], px, py, i > 0 ? y.at(line.y[i - 1]) : py,
+                  i + 1 < line.y.size() ? y.at(line.y[i + 1]) : py);
   }
   return words.empty() ? words : dots + "<g class=\"ticks notes\">" + words + "</g>";
 }
@@ -295,8 +318,7 @@ std::vector<std::size_t> visible_points(const std::vector<double>& y, int pixels
 
 std::string figure(const Plot& plot, const std::string& caption) {
   Axis x{range_of(plot, &PlotLine::x), kLeft, plot.width - kRight};
-  Axis y{range_of(plot, &PlotLine::y),
-         plot.height - kBottom - (plot.staggered ? kLower : 0), kTop};
+  Axis y{range_of(plot, &PlotLine::y), plot.height - below(plot), kTop};
   if (plot.include_zero) y.range.include(0);
   // Notes stand above their points.
   const bool noted =

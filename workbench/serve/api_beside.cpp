@@ -124,10 +124,10 @@ ApiResponse get_preview(Session& session, const ApiRequest&) {
   if (view.preview == nullptr) {
     throw NotNow("nothing is previewed; POST /api/preview first");
   }
-  Json json = quality_json(*view.preview->step);
+  Json json = quality_json(*view.preview->step, view.opened());
   json["schema"] = 1;
   json["previewed"] = view.preview->effects;
-  json["before"] = quality_json(view.last());
+  json["before"] = quality_json(view.last(), view.opened());
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   // The samples come as text, for they are many.
   const std::string samples = simulated_json(view, *view.preview->step);

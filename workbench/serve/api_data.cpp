@@ -151,7 +151,9 @@ ApiResponse post_split(Session& session, const ApiRequest& request) {
 ApiResponse get_models(Session& session, const ApiRequest&) {
   const SessionView view = session.view();
   Json models = Json::array();
-  for (const auto& step : view.steps) models.push_back(quality_json(*step));
+  for (const auto& step : view.steps) {
+    models.push_back(quality_json(*step, view.opened()));
+  }
   return json_response({{"schema", 1}, {"models", models}});
 }
 

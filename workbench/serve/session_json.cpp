@@ -40,12 +40,29 @@ Json summary_of(const ModelStep& step) {
           {"history", model["history"]}};
 }
 
+// What a number may stand for: [[0, "…"], [1, "…"]]; empty where it is a number.
+Json choices_of(Parameter parameter) {
+  constexpr int kMost = 8;
+  Json out = Json::array();
+  for (int value = 0; value < kMost; ++value) {
+    parameter.value = value;
+    const std::string words = choice_in_words(parameter);
+    if (!words.empty()) out.push_back({value, words});
+  }
+  return out;
+}
+
 // What the page calls them.
-void add_words(const std::vector<Parameter>& parameters, Json& json) {
+void add_words(const std::vector<Parameter>& parameters, const Recording& recording,
+               Column output, Json& json) {
   for (const Parameter& p : parameters) {
-    json[p.name]["words"] = name_in_words(p.name);
+    Json& own = json[p.name];
+    own["words"] = name_in_words(p.name);
+    own["unit_in_words"] = unit_in_words(p, recording, output);
     const std::string choice = choice_in_words(p);
-    if (!choice.empty()) json[p.name]["choice"] = choice;
+    if (choice.empty()) continue;
+    own["choice"] = choice;
+    own["choices"] = choices_of(p);
   }
 }
 
@@ -120,14 +137,15 @@ Json recording_json(const Recording& recording) {
           {"notes", recording.resampling.notes}};
 }
 
-Json quality_json(const ModelStep& step) {
+Json quality_json(const ModelStep& step, const Recording& recording) {
   Json out = model_json(step.model);
   for (const char* key : {"recording", "initial_state", "schema", "kind"}) out.erase(key);
-  add_words(step.model.process, out["process"]);
+  const Column output = step.model.output;
+  add_words(step.model.process, recording, output, out["process"]);
   for (std::size_t i = 0; i < step.model.effects.size(); ++i) {
     const EffectTerm& term = step.model.effects[i];
     Json& parameters = out["effects"][i]["parameters"];
-    add_words(term.parameters, parameters);
+    add_words(term.parameters, recording, output, parameters);
     for (const Parameter& p : term.parameters) {
       if (is_idle(term, p.name)) parameters[p.name]["idle"] = true;
     }

@@ -21,8 +21,10 @@ namespace workbench {
 /// {"name","samples","sample_period_s","from_s","start","columns","tags","units","notes"}.
 [[nodiscard]] nlohmann::ordered_json recording_json(const Recording& recording);
 
-/// A model as in its file, less what belongs to the recording, with its errors.
-[[nodiscard]] nlohmann::ordered_json quality_json(const ModelStep& step);
+/// A model as in its file, less what belongs to the recording, with its errors; units in
+/// those of `recording`.
+[[nodiscard]] nlohmann::ordered_json quality_json(const ModelStep& step,
+                                                  const Recording& recording);
 
 /// "yes", "no", "".
 [[nodiscard]] const char* word_of(Opens opens);

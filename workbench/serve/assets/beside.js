@@ -2,7 +2,7 @@
 // fitted together with the one that is open. Of one that judges only the initial state is
 // estimated.
 import {get, post} from './api.js';
-import {$, element, number} from './dom.js';
+import {$, element, number, withUnitOf} from './dom.js';
 import {say, translated} from './texts.js';
 import {unitFor} from './times.js';
 import {picture} from './xy.js';
@@ -66,7 +66,8 @@ export class Beside {
     }
     return element('div', {className: 'scroll', tabIndex: 0, role: 'region',
       ariaLabel: say('Other recordings of this loop')}, element('table', {}, element('thead', {},
-      element('tr', {}, ...[say('Recording'), say('Part'), say('Fit, %'), say('Error'), say('Validation error'), '']
+      element('tr', {}, ...[say('Recording'), say('Part'), say('Fit, %'), ...['Error', 'Validation error'].map(text =>
+        withUnitOf(translated(text), state.model.output, state.recording.units)), '']
         .map(textContent => element('th', {textContent, className: textContent === say('Part') ? 'text' : ''})))), body));
   }
 

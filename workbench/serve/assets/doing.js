@@ -22,7 +22,7 @@ function triesPairs(job) {
   const key = `${job.task} ${job.detail} ${job.number}`;
   if (key !== last.key || job.seconds < last.since) last = {key, since: job.seconds};
   const usual = job.number > 0 ? last.since / job.number : 0;
-  return job.of > 0 && job.number >= job.of && job.seconds - last.since > Math.max(1, 3 * usual);
+  return job.of > 0 && job.number >= job.of && job.seconds - last.since > Math.max(0.5, 2 * usual);
 }
 
 // A search counts its candidates up; where the ladder begins again, it is at its next step.

@@ -22,7 +22,11 @@ export const capital = text => text.charAt(0).toUpperCase() + text.slice(1);
 // Rounded to significant digits, with the decimal mark of the language.
 export const number = (value, digits = 3) => value == null || !Number.isFinite(value) ? '–'
   : Number(value.toPrecision(digits)).toLocaleString(language,
-    {maximumSignificantDigits: digits, useGrouping: false});
+    {maximumSignificantDigits: digits, useGrouping: false}).replace('-', '−');
+
+// What is said of the output, with its unit or, unknown, "units of y".
+export const withUnitOf = (text, output, units) =>
+  `${text}, ${units[output] || say('units of {0}', output)}`;
 
 const MARK = number(1.5).charAt(1), OTHER = MARK === ',' ? '.' : ',';
 

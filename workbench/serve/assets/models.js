@@ -2,7 +2,7 @@
 import {complain} from './alert.js';
 import {ApiError, get} from './api.js';
 import {parameterWords} from './direction.js';
-import {$, capital, element, number} from './dom.js';
+import {$, capital, element, number, withUnitOf} from './dom.js';
 import {say, translated} from './texts.js';
 
 const INKS = ['two-path', 'truth', 'setpoint', 'linear'];
@@ -28,7 +28,7 @@ export class Models {
         ...model.effects.map(term => [term.effect, term.parameters])]) {
         for (const p of Object.values(parameters).filter(({idle}) => !idle)) {
           const key = `${capital(this.title(group))}: ${parameterWords(p.words)}` +
-            (p.unit === '1' ? '' : `, ${p.unit}`);
+            (p.unit_in_words && `, ${p.unit_in_words}`);
           if (!rows.has(key)) rows.set(key, models.map(() => '–'));
           rows.get(key)[i] = p.choice ? translated(p.choice) : number(p.value, 4);
         }
@@ -40,8 +40,9 @@ export class Models {
     const line = (label, cells) => body.append(element('tr', {}, element('td', {textContent: label}),
       ...cells.map(textContent => element('td', {textContent}))));
     line(say('Fit, %'), models.map(m => number(m.fit_percent, 4)));
-    line(say('Error'), models.map(m => number(m.rmse, 4)));
-    line(say('Validation error'), models.map(m => number(m.rmse_validation, 4)));
+    const {units} = state.recording, {output} = state.model;
+    line(withUnitOf(say('Error'), output, units), models.map(m => number(m.rmse, 4)));
+    line(withUnitOf(say('Validation error'), output, units), models.map(m => number(m.rmse_validation, 4)));
     for (const [key, cells] of rows) line(key, cells);
     table.append(body);
     $('compare').replaceChildren(element('h2', {textContent: say('Models side by side')}),

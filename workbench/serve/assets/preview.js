@@ -1,7 +1,7 @@
 // A candidate before it is added: its curve over the model's, fit and errors beside it.
 import {get, post} from './api.js';
 import {parameterWords} from './direction.js';
-import {$, capital, element, number} from './dom.js';
+import {$, capital, element, number, withUnitOf} from './dom.js';
 import {say, translated} from './texts.js';
 
 export class Preview {
@@ -20,7 +20,7 @@ export class Preview {
     const seen = await get('/api/preview');
     const name = seen.previewed.map(this.title).join(say(' and '));
     this.charts.others('preview', [{label: say('with {0}', name), ink: 'truth', values: seen.simulated}]);
-    this.draw(seen, name);
+    this.draw(seen, name, state);
     $('preview').scrollIntoView({block: 'start'});
     $('preview').querySelector('button').focus({preventScroll: true});
   }
@@ -31,16 +31,16 @@ export class Preview {
     $('preview').replaceChildren();
   }
 
-  draw(seen, name) {
+  draw(seen, name, {model: {output}, recording: {units}}) {
     const line = (label, key, digits) => element('tr', {}, element('td', {textContent: label}),
       ...[seen.before[key], seen[key]].map(value => element('td', {textContent: number(value, digits)})));
     const table = element('table', {}, element('thead', {}, element('tr', {}, element('th'),
       ...[say('the model'), say('with {0}', name)].map(textContent => element('th', {textContent})))),
-    element('tbody', {}, line(say('Fit, %'), 'fit_percent', 4), line(say('Error'), 'rmse', 4),
-      line(say('Validation error'), 'rmse_validation', 4)));
+    element('tbody', {}, line(say('Fit, %'), 'fit_percent', 4), line(withUnitOf(say('Error'), output, units), 'rmse', 4),
+      line(withUnitOf(say('Validation error'), output, units), 'rmse_validation', 4)));
     const values = seen.effects.filter(term => seen.previewed.includes(term.effect))
       .flatMap(term => Object.values(term.parameters)).map(p => `${capital(parameterWords(p.words))}: ` +
-        (p.choice ? translated(p.choice) : number(p.value, 4) + (p.unit === '1' ? '' : ' ' + p.unit)));
+        (p.choice ? translated(p.choice) : number(p.value, 4) + (p.unit_in_words && ' ' + p.unit_in_words)));
     const take = element('button', {type: 'button', className: 'primary', textContent: say('Put it into the model')});
     take.onclick = () => this.add(seen.previewed, name);
     const drop = element('button', {type: 'button', textContent: say('Leave it')});
