@@ -85,6 +85,18 @@ std::string suggestion(const CLI::App& app, std::string_view word) {
   return best.empty() ? best : "; did you mean `" + best + "`?";
 }
 
+// Where a page is asked of a command that prints.
+std::string html_hint(std::string_view what, const std::vector<char*>& words) {
+  const auto is_page = [](const char* word) {
+    return std::string_view(word).ends_with(".html");
+  };
+  const auto page = std::find_if(words.begin(), words.end(), is_page);
+  if (page == words.end() || what.find("not expected: -o") == std::string_view::npos) {
+    return {};
+  }
+  return "; `stickband report REC -o " + std::string(*page) + "` writes HTML";
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app;
   Action action;
@@ -112,7 +124,8 @@ int dispatch(int argc, char** argv) {
     if (parsed.empty() && words.size() > 1 && words[1][0] != '-') {
       what = "no command " + quoted(words[1]) + suggestion(app, words[1]);
     }
-    throw UsageError(what + "; see stickband" + command + " --help");
+    throw UsageError(what + html_hint(what, words) + "; see stickband" + command +
+                     " --help");
   }
   return action();
 }
