@@ -28,7 +28,8 @@ function made(tag, className, content) {
   if (content !== undefined) out.textContent = content;
   return out;
 }
-const four = (v) => (v === null || v === undefined ? "–" : String(Number(v.toPrecision(3))));
+const plain = (v) => String(v).replace("-", "−");
+const four = (v) => (v === null || v === undefined ? "–" : plain(Number(v.toPrecision(3))));
 function duration(s) {
   if (!s) return "–";
   if (s < 120) return four(s) + " s";
@@ -40,11 +41,12 @@ const interval = (b) => `${four(b[1])} to ${four(b[2])}`;
 function bandText(loop) {
   const one = loop.up || loop.down;
   if (!one) return loop.detectable ? ["none seen", `above ${four(loop.detectable)} % of span`] : ["–", ""];
+  const unit = loop.unit || "units of u";
   if (loop.up && loop.down && loop.up[0] !== loop.down[0]) {
-    return [`${four(loop.up[0])} up, ${four(loop.down[0])} down ${loop.unit}`,
+    return [`${four(loop.up[0])} up, ${four(loop.down[0])} down ${unit}`,
       `${interval(loop.up)}; ${interval(loop.down)}`];
   }
-  return [`${four(one[0])} ${loop.unit}`, interval(one)];
+  return [`${four(one[0])} ${unit}`, interval(one)];
 }
 function picture(loop) {
   const NS = "http://www.w3.org/2000/svg";
@@ -70,11 +72,22 @@ function picture(loop) {
   }
   return svg;
 }
+const NATS = "How much better a sticking stem tells the next sample than u alone, as the logarithm " +
+  "of the odds: below 10 nats it says nothing, from 46 on it needs nothing beside it.";
+// The bounds of ident/verdict/judge.hpp.
+function weight(nats) {
+  return nats >= 46 ? "very strong" : nats >= 25 ? "strong" : nats >= 10 ? "some" : "none";
+}
 function trendText(loop) {
   if (loop.rise === null) return [loop.trend.length ? "–" : "", ""];
   const size = Math.round(100 * loop.rise);
   if (Math.abs(size) < 5) return ["steady", ""];
   return [`${size > 0 ? "▲" : "▼"} ${Math.abs(size)} %`, size > 0 ? "up" : "down"];
+}
+// What the list says below the name: the reason where there is no verdict.
+function told(loop) {
+  if (loop.verdict === "undecided" || loop.verdict === "bad_data") return loop.reason;
+  return loop.cause.replace(/_/g, " ") || loop.files[0];
 }
 function rowOf(loop, index) {
   const row = made("div", "row");
@@ -85,14 +98,16 @@ function rowOf(loop, index) {
   const title = made("span");
   title.append(made("b", "", loop.name));
   if (loop.group) title.append(made("span", "group", `group ${loop.group}${loop.leads ? " leads" : ""}`));
-  name.append(title, made("small", "", loop.error || loop.cause.replace(/_/g, " ") || loop.files[0]));
+  name.append(title, made("small", "", loop.error || told(loop)));
   name.title = loop.error || loop.reason;
   const verdict = made("span", "verdict");
   verdict.append(made("span", "badge " + loop.verdict.replace(" ", "_"), WORDS[loop.verdict] || loop.verdict));
   const [value, detail] = bandText(loop);
   const band = made("span", "band", value);
   band.append(made("small", "", detail));
-  const nats = made("span", "nats", loop.nats === null ? "–" : Math.round(loop.nats) + " nats");
+  const nats = made("span", "nats", loop.nats === null ? "–" : weight(loop.nats));
+  nats.title = NATS;
+  if (loop.nats !== null) nats.append(made("small", "", plain(Math.round(loop.nats)) + " nats"));
   const share = made("span", "share", loop.error ? "" : percent(loop.share));
   share.append(made("small", "", loop.period ? "every " + duration(loop.period) : ""));
   const [trend, direction] = trendText(loop);
@@ -174,7 +189,7 @@ function open(loop) {
   const [band, detail] = bandText(loop);
   if (!loop.error) {
     describe(box, [["Stick band", detail ? `${band} (${detail})` : band],
-      ["Evidence", loop.nats === null ? "" : `${four(loop.nats)} nats, one sample ahead, all windows together`],
+      ["Evidence", loop.nats === null ? "" : `${weight(loop.nats)}: ${four(loop.nats)} nats, one sample ahead, all windows together. ${NATS}`],
       ["Oscillates", `${percent(loop.share)} of the time` + (loop.period ? `, every ${duration(loop.period)}` : "")],
       ["Moved by", loop.cause.replace(/_/g, " ")],
       ["Recorded", `${loop.samples} samples, one every ${duration(loop.ts)}` + (loop.from ? `, from ${loop.from}` : "")],
@@ -223,6 +238,7 @@ function open(loop) {
   box.scrollTop = 0;
 }
 
+document.body.classList.toggle("no-trend", loops.every((loop) => loop.trend.length === 0));
 const counts = new Map();
 for (const loop of loops) counts.set(loop.verdict, (counts.get(loop.verdict) || 0) + 1);
 for (const verdict of Object.keys(WORDS)) {
