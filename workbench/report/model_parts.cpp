@@ -46,6 +46,25 @@ std::string cannot_tell(const Candidate& c) {
               : filled(" What would: {0}.", {*c.would_split}));
 }
 
+// Why the first undecided candidate of the list is not the closest one.
+std::string passed_over(const ExplainResult& result, const Candidate& closest) {
+  for (const Candidate& c : result.candidates) {
+    if (&c == &closest) break;
+    if (c.status != CandidateStatus::kUndecided || !(c.error_reduction_percent > 0)) {
+      continue;
+    }
+    const std::string name = capitalised(titled(members_of(c), " with "));
+    if (c.spoken_against) {
+      return filled(" {0} lowers the error more, but its own values speak against it.",
+                    {name});
+    }
+    return filled(
+        " {0} lowers the error more, but this recording cannot tell it from another.",
+        {name});
+  }
+  return {};
+}
+
 std::string story(const ModelReport& report) {
   const Comparison& comparison = report.comparison;
   if (const Candidate* missing = report.explanation.best()) {
@@ -76,7 +95,7 @@ std::string story(const ModelReport& report) {
   return found + left +
          (doubt != nullptr
               ? filled(" Closest to an explanation: {0}. ", {title_of(doubt->effect)}) +
-                    doubt->evidence
+                    doubt->evidence + passed_over(report.explanation, *doubt)
               : " No effect of the catalogue explains the rest beyond chance.");
 }
 

@@ -73,7 +73,7 @@ function pictures(valve, {units, start, from_s: first, samples, sample_period_s:
 function seen(valve) {
   const band = valve.detectable_band;
   if (!(band?.value > 0) && valve.mood === 'bad') return '';
-  if (!(band?.value > 0)) return say('How wide a stick band would have shown is not known here.');
+  if (!(band?.value > 0)) return say('This recording does not tell from what size on a stick band would have been seen.');
   return say('A stick band above {0} in u, {1} of its range in this recording, would have shown.',
     number(band.value), percent(band.percent_of_span));
 }
