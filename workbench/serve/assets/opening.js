@@ -96,13 +96,14 @@ export class Opening {
     if (table !== null) this.take(new File([table], name));
   }
 
-  take(file) {
+  async take(file) {
     this.columns.hide();
-    const name = file.name;
-    if (/\.json$/i.test(name)) {
+    const {name} = file;
+    const [, kind] = /"kind":\s*"stickband[ -](model|session)"/.exec(await file.slice(0, 200).text().catch(() => '')) ?? [];
+    if (kind || /\.json$/i.test(name)) {
       const {turn, signal} = this.begin();
       this.change(async () => {
-        const session = /"kind":\s*"stickband-session"/.test(await file.slice(0, 200).text());
+        const session = kind === 'session';
         return this.done(await post(withQuery(session ? '/api/session' : '/api/model', {name, turn}), file, signal));
       },
         say('{0} is no model and no session.', name), true);
