@@ -146,6 +146,20 @@ class ServeTest(unittest.TestCase):
             self.assertEqual(served.ask("GET", "/../etc/passwd")[0], 404)
             self.assertEqual(served.ask("GET", "/none")[0], 404)
 
+    def test_keeps_connections_open_and_ends_at_once_all_the_same(self):
+        with Served("--port", "0") as served:
+            held = [http.client.HTTPConnection("127.0.0.1", served.port) for _ in range(12)]
+            for connection in held:
+                for _ in range(20):
+                    connection.request("GET", "/app.js")
+                    answer = connection.getresponse()
+                    answer.read()
+                    self.assertFalse(answer.will_close)
+            began = time.monotonic()
+            served.process.send_signal(signal.SIGINT)
+            self.assertEqual(served.process.wait(timeout=30), 0)
+            self.assertLess(time.monotonic() - began, 2)  # they would stay for 5 s
+
     def test_wastes_no_time_on_compression(self):
         with Served(self.csv, "--port", "0") as served:
             served.wait()

@@ -41,12 +41,12 @@ const interval = (b) => `${four(b[1])} to ${four(b[2])}`;
 function bandText(loop) {
   const one = loop.up || loop.down;
   if (!one) return loop.detectable ? ["none seen", `above ${four(loop.detectable)} % of span`] : ["–", ""];
-  const unit = loop.unit || "units of u";
+  const unit = loop.unit ? "" : ", in units of u";
   if (loop.up && loop.down && loop.up[0] !== loop.down[0]) {
-    return [`${four(loop.up[0])} up, ${four(loop.down[0])} down ${unit}`,
-      `${interval(loop.up)}; ${interval(loop.down)}`];
+    return [`${four(loop.up[0])} up, ${four(loop.down[0])} down ${loop.unit}`,
+      `${interval(loop.up)}; ${interval(loop.down)}${unit}`];
   }
-  return [`${four(one[0])} ${unit}`, interval(one)];
+  return [`${four(one[0])} ${loop.unit}`, interval(one) + unit];
 }
 function picture(loop) {
   const NS = "http://www.w3.org/2000/svg";
@@ -84,11 +84,6 @@ function trendText(loop) {
   if (Math.abs(size) < 5) return ["steady", ""];
   return [`${size > 0 ? "▲" : "▼"} ${Math.abs(size)} %`, size > 0 ? "up" : "down"];
 }
-// What the list says below the name: the reason where there is no verdict.
-function told(loop) {
-  if (loop.verdict === "undecided" || loop.verdict === "bad_data") return loop.reason;
-  return loop.cause.replace(/_/g, " ") || loop.files[0];
-}
 function rowOf(loop, index) {
   const row = made("div", "row");
   row.setAttribute("role", "listitem");
@@ -98,7 +93,9 @@ function rowOf(loop, index) {
   const title = made("span");
   title.append(made("b", "", loop.name));
   if (loop.group) title.append(made("span", "group", `group ${loop.group}${loop.leads ? " leads" : ""}`));
-  name.append(title, made("small", "", loop.error || told(loop)));
+  const open = ["undecided", "bad_data"].includes(loop.verdict);
+  name.append(title, made("small", open ? "why" : "",
+    loop.error || (open ? loop.reason : loop.cause.replace(/_/g, " ") || loop.files[0])));
   name.title = loop.error || loop.reason;
   const verdict = made("span", "verdict");
   verdict.append(made("span", "badge " + loop.verdict.replace(" ", "_"), WORDS[loop.verdict] || loop.verdict));

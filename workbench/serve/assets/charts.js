@@ -8,7 +8,7 @@ import {say} from './texts.js';
 import {clockOf, clockText, dayText, unitFor} from './times.js';
 import {picture} from './xy.js';
 
-const HEIGHTS = {output: 240, residual: 110, u: 120};
+const HEIGHTS = {output: 240, residual: 130, u: 120};
 
 // Half the width of the band that 95 % of the values lie in.
 function spread(values) {

@@ -148,7 +148,9 @@ export async function showValve(state, sayOpens) {
   if (box.dataset.waits !== now || !box.querySelector('.waits')) {
     box.className = 'verdict';
     box.dataset.waits = now;
-    box.replaceChildren(element('h1', {className: 'waits', textContent: now}));
+    const bar = element('progress', {ariaLabel: say('Progress'), hidden: !job});
+    if (job?.of > 1) Object.assign(bar, {max: job.of, value: job.number - 1});
+    box.replaceChildren(element('h1', {className: 'waits', textContent: now}), bar);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/model/search/ladder.hpp"
+#include "workbench/report/model_figures.hpp"
 #include "workbench/report/model_parts.hpp"
 
 namespace workbench {
@@ -54,6 +55,36 @@ TEST_F(ModelParts, SayWhatWouldTellAGroupApart) {
   const std::string verdict = model_verdict(report(result));
   EXPECT_TRUE(part_says(verdict, "cannot tell it from stiction"));
   EXPECT_TRUE(part_says(verdict, "log the stem position"));
+}
+
+TEST_F(ModelParts, SayWhyALargerEffectIsNotTheClosest) {
+  ExplainResult result;
+  result.candidates = {candidate("valve.stiction", CandidateStatus::kUndecided),
+                       candidate("sensor.lag", CandidateStatus::kUndecided)};
+  for (Candidate& c : result.candidates) c.error_reduction_percent = 10;
+  EXPECT_FALSE(part_says(model_verdict(report(result)), "lowers the error more"));
+  result.candidates[0].spoken_against = true;
+  EXPECT_TRUE(part_says(model_verdict(report(result)),
+                        "Stiction lowers the error more, but its own values speak"));
+  result.candidates[0].spoken_against = false;
+  result.candidates[0].indistinguishable_from = {"valve.backlash"};
+  EXPECT_TRUE(part_says(model_verdict(report(result)), "cannot tell it from another"));
+}
+
+TEST_F(ModelParts, WriteOneMinusSign) {
+  ModelReport bad = report({});
+  bad.comparison.quality.fit_percent = -12.34;
+  EXPECT_TRUE(part_says(model_tiles(bad), "−12.3 %"));
+}
+
+TEST_F(ModelParts, ShowTimesAndUnitsOfFailuresAsTheCharts) {
+  EXPECT_TRUE(part_says(residual_panels(report({})), "speed of u, u/s"));
+  recording_.start = "2026-03-04T14:30:00";
+  recording_.units[static_cast<std::size_t>(Column::u)] = "%";
+  const std::string panels = residual_panels(report({}));
+  EXPECT_TRUE(part_says(panels, " from 2026-03-04 14:30<"));
+  EXPECT_TRUE(part_says(panels, "speed of u, %/s"));
+  EXPECT_FALSE(part_says(panels, ">t, s<"));
 }
 
 TEST_F(ModelParts, KnowNoNoiseBeforeItWasEstimatedNorAboveWhatAModelReaches) {

@@ -80,6 +80,9 @@ TEST(ReportFigure, DrawsBarsLevelsNamesAndNotes) {
     EXPECT_NE(svg.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(svg.find("legend"), std::string::npos);
+  // Beside its point, where the line comes down to it.
+  EXPECT_NE(svg.find("text-anchor=\"middle\">one<"), std::string::npos);
+  EXPECT_NE(svg.find("text-anchor=\"start\">&lt;two&gt;<"), std::string::npos);
 }
 
 TEST(ReportFigure, StaggersNamesThatNeedRoom) {

@@ -28,6 +28,19 @@ TEST(ServeAssets, HoldThePageAndEverythingItNames) {
   EXPECT_GE(files, 5);
 }
 
+TEST(ServeAssets, NameEveryModuleAtOnce) {
+  const std::string page(find_asset("/")->content);
+  const auto named = [&page](std::string_view file) {
+    return page.find("<link rel=\"modulepreload\" href=\"/" + std::string(file) + "\">") <
+           page.find("</head>");
+  };
+  EXPECT_TRUE(named("texts/all.js"));
+  for (const EmbeddedFile& file : embedded_files()) {
+    const bool module = file.name.ends_with(".js") && !file.name.starts_with("uplot/");
+    EXPECT_EQ(named(file.name), module) << file.name;
+  }
+}
+
 TEST(ServeAssets, ScriptsNameModulesThatExist) {
   EXPECT_TRUE(find_asset("/app.js")->type.starts_with("text/javascript"));
   const std::regex import("from '\\./([^']*)'");

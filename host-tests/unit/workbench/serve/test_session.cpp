@@ -274,6 +274,16 @@ TEST_F(ServeSession, TakesAModelFromAFileAsAStep) {
   EXPECT_EQ(session_.view().last().model.effects.size(), 1U);
 }
 
+TEST_F(ServeSession, EndsASearchForAModelFromAFile) {
+  open();
+  Model model = session_.view().last().model;
+  session_.explain();
+  session_.take(std::move(model));
+  EXPECT_FALSE(session_.progress());
+  EXPECT_EQ(session_.view().steps.size(), 2U);
+  EXPECT_FALSE(session_.view().last().explanation);
+}
+
 TEST_F(ServeSession, LeavesOutAStretchAndTakesItInAgain) {
   Recording recording = late_recording();
   for (std::size_t k = 300; k < 360; ++k) recording.y[k] += 40;
