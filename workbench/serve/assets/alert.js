@@ -12,7 +12,7 @@ function advised(advice) {
     return say('open it again with “let me choose the columns”, under More options');
   }
   if (/a model is given with --model/.test(advice)) {
-    return say('a model or a session opens here, too, where the name of its file ends in .json; else write CSV');
+    return say('a model or a session opens here as it was saved; else write CSV');
   }
   if (/^name .* --sheet/.test(advice)) return say('name the sheet, under More options');
   if (/^name the (columns?|tags?) .*--/.test(advice)) {

@@ -139,11 +139,11 @@ export class Columns {
       out.append(select(say('counted in'), [['', say('the unit of its name, or s')], ...UNITS.map(name => [name, name])],
         unit, value => this.again({time: value ? `${column} [${value}]` : column, ts: ''})));
     }
-    out.append(select(say('Dates are'), [['', say('recognised by itself')],
+    out.append(select(say('Dates are'), [['', say('recognised automatically')],
       ['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
       ['ymd', say('year, month, day')]], this.query.date_order ?? '',
     value => this.again({date_order: value})));
-    out.append(select(say('Decimal mark'), [['', say('recognised by itself')],
+    out.append(select(say('Decimal mark'), [['', say('recognised automatically')],
       ...marks()], this.query.decimal ?? '',
     value => this.again({decimal: value})));
     const period = element('input', {type: 'text', inputMode: 'decimal', size: 6,
