@@ -324,6 +324,33 @@ const tests = {
     served.end();
   },
 
+  // Every reload is whole; a model opens while a search is under way, a session whatever its
+  // name is.
+  async opened() {
+    const served = await serve(wideExport(), '--u', 'FIC101.OP', '--y', 'FIC101.PV');
+    const page = await look(served.address);
+    for (let i = 0; i < 10; ++i) {
+      await page.reload();
+      await page.waitForFunction(() => document.querySelector('#language').options.length > 1);
+    }
+    check(await page.locator('#unloaded').count() === 0, 'no complaint of a page that is whole');
+    await idle(page);
+    const model = await (await fetch(served.address + 'api/model')).text();
+    await fetch(served.address + 'api/explain', {method: 'POST'});
+    await page.setInputFiles('#file', {name: 'm3.json', mimeType: 'application/json', buffer: Buffer.from(model)});
+    await until(page, async () => (await (await fetch('/api/models')).json()).models.length > 1);
+    check(await page.locator('#alert').isHidden(), 'a model is taken while a search is under way');
+    await idle(page);
+    const session = await (await fetch(served.address + 'api/session')).text();
+    const {opened} = await (await fetch(served.address + 'api/state')).json();
+    await page.setInputFiles('#file', {name: 'saved', mimeType: '', buffer: Buffer.from(session)});
+    await page.waitForFunction(async before => (await (await fetch('/api/state')).json()).opened > before, opened);
+    await idle(page);
+    check(await page.locator('#alert').isHidden(), 'a session without .json opens');
+    await end(page);
+    served.end();
+  },
+
   // A loop whose u rests is listed, but cannot be opened; an error leaves the chooser open.
   async chooser() {
     const served = await serve();
@@ -332,7 +359,9 @@ const tests = {
     await page.setInputFiles('#file', wideExport('resting.csv', true));
     await page.waitForSelector('#columns:not([hidden]) .loops');
     check(await page.getByRole('button', {name: 'TIC205: u does not move'}).isDisabled(), 'told as not usable');
+    await page.selectOption('select[data-signal^="FIC101.OP"]', 'u');
     await page.selectOption('select[data-signal^="TIC205.OP"]', 'u');
+    check(/TIC205.OP.* is u now; FIC101.OP.* was/.test(await page.locator('#columns-why').innerText()), 'told that u is another');
     await page.selectOption('select[data-signal^="TIC205.PV"]', 'y');
     await page.getByRole('button', {name: 'Use these columns'}).click();
     await page.waitForSelector('#columns .problem:text("found a constant u")');
@@ -509,7 +538,7 @@ const tests = {
     check((await page.locator('.tried').innerText()).includes('(the model:'), 'says what it was');
     const field = page.getByRole('textbox', {name: 'process: first lag, as a number'});
     const keep = page.getByRole('button', {name: 'Keep these values'}), lag = await field.inputValue();
-    for (const [text, part] of [['abc', 'no number'], ['1,000', 'may be two'], ['-5', 'found -5'], ['1e300', 'expected']]) {
+    for (const [text, part] of [['abc', 'no number'], ['1,000', 'may be two'], ['-5', 'found −5'], ['1e300', 'expected']]) {
       await field.fill(text);
       await field.blur();
       check((await page.locator('.refused').innerText()).includes(part), text, 'is refused');
