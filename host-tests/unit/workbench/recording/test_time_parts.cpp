@@ -10,7 +10,7 @@
 namespace workbench {
 namespace {
 
-using Columns = std::vector<std::size_t>;
+using Indices = std::vector<std::size_t>;
 
 // Ten rows that begin with the time given, a second apart.
 std::string rows(const std::string& date, int hour, int minute, int second) {
@@ -24,7 +24,7 @@ std::string rows(const std::string& date, int hour, int minute, int second) {
   return out;
 }
 
-Columns parts_of(const std::string& text) {
+Indices parts_of(const std::string& text) {
   return time_parts(layout_of(text, "a.csv", {{Column::u, Column::y}, {}}));
 }
 
@@ -33,49 +33,49 @@ TEST(TimeParts, AreColumnsSideBySideInManyLanguages) {
   for (const char* head :
        {"Hour,Minute,Second,OP,PV", "HH,MM,SS,OP,PV", "Stunde,Minute,Sekunde,OP,PV",
         "heure,minute,seconde,OP,PV", "时,分,秒,OP,PV"}) {
-    EXPECT_EQ(parts_of(std::string(head) + '\n' + clock), (Columns{0, 1, 2})) << head;
+    EXPECT_EQ(parts_of(std::string(head) + '\n' + clock), (Indices{0, 1, 2})) << head;
   }
-  EXPECT_EQ(parts_of("Hour,Minute,Seconds elapsed,OP,PV\n" + clock), (Columns{0, 1}));
-  EXPECT_EQ(parts_of("Minute,Hour,Second,OP,PV\n" + clock), Columns{});
+  EXPECT_EQ(parts_of("Hour,Minute,Seconds elapsed,OP,PV\n" + clock), (Indices{0, 1}));
+  EXPECT_EQ(parts_of("Minute,Hour,Second,OP,PV\n" + clock), Indices{});
 }
 
 TEST(TimeParts, NeedNoSecond) {
   const std::string minutes = "14,30,45.5,60.5\n14,31,46.5,61.5\n14,32,44.5,60.5\n";
-  EXPECT_EQ(parts_of("Hour,Minute,OP,PV\n" + minutes), (Columns{0, 1}));
-  EXPECT_EQ(parts_of("Stunde,Minute,OP,PV\n" + minutes), (Columns{0, 1}));
-  EXPECT_EQ(parts_of("Std,Min,OP,PV\n" + minutes), Columns{});
-  EXPECT_EQ(parts_of("h,m,OP,PV\n" + minutes), Columns{});
+  EXPECT_EQ(parts_of("Hour,Minute,OP,PV\n" + minutes), (Indices{0, 1}));
+  EXPECT_EQ(parts_of("Stunde,Minute,OP,PV\n" + minutes), (Indices{0, 1}));
+  EXPECT_EQ(parts_of("Std,Min,OP,PV\n" + minutes), Indices{});
+  EXPECT_EQ(parts_of("h,m,OP,PV\n" + minutes), Indices{});
   EXPECT_EQ(parts_of("Hour,Min,Max,OP,PV\n14,30,45,45.5,60.5\n15,31,46,46.5,61.5\n"),
-            Columns{});
+            Indices{});
   EXPECT_EQ(parts_of("Hours,Min,OP,PV\n1400.5,30,45.5,60.5\n1400.5,31,46.5,61.5\n"),
-            Columns{});
-  EXPECT_EQ(parts_of("Hour,Min,OP,PV\n14,-3,45.5,60.5\n14,-2,46.5,61.5\n"), Columns{});
+            Indices{});
+  EXPECT_EQ(parts_of("Hour,Min,OP,PV\n14,-3,45.5,60.5\n14,-2,46.5,61.5\n"), Indices{});
   EXPECT_EQ(parts_of("Day,Month,Year,Hour,Minute,OP,PV\n13,5,2026,14,30,45.5,60.5\n"
                      "13,5,2026,14,31,45.5,60.5\n"),
-            (Columns{2, 1, 0, 3, 4}));
+            (Indices{2, 1, 0, 3, 4}));
   EXPECT_EQ(parts_of("Hour,Minute,OP,PV,Second\n14,30,45.5,60.5,10\n"
                      "14,30,46.5,61.5,20\n"),
-            (Columns{0, 1, 4}));
+            (Indices{0, 1, 4}));
 }
 
 TEST(TimeParts, TakeTheDateInAnyOrder) {
   EXPECT_EQ(parts_of("Year,Month,Day,Hour,Minute,Second,OP,PV\n" +
                      rows("2026,5,13,", 14, 30, 0)),
-            (Columns{0, 1, 2, 3, 4, 5}));
+            (Indices{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(parts_of("DD,MM,YYYY,HH,MM,SS,OP,PV\n" + rows("13,5,2026,", 14, 30, 0)),
-            (Columns{2, 1, 0, 3, 4, 5}));
+            (Indices{2, 1, 0, 3, 4, 5}));
   EXPECT_EQ(parts_of("Month,Day,Year,HH,MM,SS,OP,PV\n" + rows("5,13,26,", 14, 30, 0)),
-            (Columns{2, 0, 1, 3, 4, 5}));
+            (Indices{2, 0, 1, 3, 4, 5}));
 }
 
 TEST(TimeParts, OfADatevecNeedNoNames) {
   const std::string six = rows("2026,5,13,", 14, 30, 0);
-  EXPECT_EQ(parts_of(six), (Columns{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(parts_of(six), (Indices{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(parts_of("t_1,t_2,t_3,t_4,t_5,t_6,OP,PV\n" + six),
-            (Columns{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(parts_of("a,b,c,d,e,f,OP,PV\n" + six), Columns{});
-  EXPECT_EQ(parts_of(rows("2026,13,13,", 14, 30, 0)), Columns{});
-  EXPECT_EQ(parts_of(rows("0,5,13,", 14, 30, 0)), Columns{});
+            (Indices{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(parts_of("a,b,c,d,e,f,OP,PV\n" + six), Indices{});
+  EXPECT_EQ(parts_of(rows("2026,13,13,", 14, 30, 0)), Indices{});
+  EXPECT_EQ(parts_of(rows("0,5,13,", 14, 30, 0)), Indices{});
 }
 
 TEST(TimeParts, AreWrittenAsOneTime) {

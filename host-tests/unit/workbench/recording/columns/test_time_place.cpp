@@ -22,30 +22,30 @@ std::optional<TimePlace> place_of(const std::string& head, const std::string& fi
   return TimeFinder(layout, file, names, candidates).find();
 }
 
-using Columns = std::vector<std::size_t>;
+using Indices = std::vector<std::size_t>;
 
 TEST(TimePlace, TakesPartsWhereNoColumnIsAWholeTime) {
   const auto alone = place_of("Hour,Minute,Second,OP,PV", "14,30,1");
   ASSERT_TRUE(alone);
   EXPECT_EQ(alone->form, TimeForm::kClock);
-  EXPECT_EQ(columns_of(*alone), (Columns{0, 1, 2}));
+  EXPECT_EQ(columns_of(*alone), (Indices{0, 1, 2}));
   const auto dated = place_of("Datum,Hour,Minute,Second,OP,PV", "13.05.2026,14,30,1");
   ASSERT_TRUE(dated);
   EXPECT_EQ(dated->form, TimeForm::kDate);
-  EXPECT_EQ(columns_of(*dated), (Columns{0, 1, 2, 3}));
+  EXPECT_EQ(columns_of(*dated), (Indices{0, 1, 2, 3}));
   const auto whole =
       place_of("Hour,Minute,Second,Time,OP,PV", "14,30,1,2026-05-13 14:30:1");
   ASSERT_TRUE(whole);
-  EXPECT_EQ(columns_of(*whole), Columns{3});
+  EXPECT_EQ(columns_of(*whole), Indices{3});
 }
 
 TEST(TimePlace, TakesAllPartsWhereOneIsNamed) {
   const auto named = place_of("Hour,Minute,Second,OP,PV", "14,30,1", "Minute");
   ASSERT_TRUE(named);
-  EXPECT_EQ(named->parts, (Columns{0, 1, 2}));
+  EXPECT_EQ(named->parts, (Indices{0, 1, 2}));
   const auto as_number = place_of("Hour,Minute,Second,OP,PV", "14,30,1", "Second [s]");
   ASSERT_TRUE(as_number);
-  EXPECT_EQ(columns_of(*as_number), Columns{2});
+  EXPECT_EQ(columns_of(*as_number), Indices{2});
 }
 
 TEST(TimePlace, AsksForTheRestOfADateBesideHours) {
@@ -59,7 +59,7 @@ TEST(TimePlace, TakesPartsOfTheSecondBesideItsClock) {
     const auto place =
         place_of("Date,Time," + std::string(name) + ",OP,PV", "13.05.2026,14:30:00,30");
     ASSERT_TRUE(place) << name;
-    EXPECT_EQ(columns_of(*place), (Columns{0, 1, 2})) << name;
+    EXPECT_EQ(columns_of(*place), (Indices{0, 1, 2})) << name;
     EXPECT_EQ(place->millis_s, 1e-3) << name;
   }
 }
