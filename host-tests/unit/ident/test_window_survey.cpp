@@ -219,7 +219,9 @@ TEST(WindowSurvey, KnowsSwingsOnADrift) {
       drifting.y[t] = drifting.u[t] + test::normal(random);
     }
     const Survey survey{drifting};
-    if (wave > 0) EXPECT_FALSE(survey.result.oscillation.detected);
+    if (wave > 0) {
+      EXPECT_FALSE(survey.result.oscillation.detected);
+    }
     EXPECT_EQ(survey.result.evidence.drifts, wave > 0) << survey.movement.swing;
   }
 }
