@@ -83,9 +83,9 @@ TEST(HiddenScore, TablesCountWhatWasAnswered) {
 
 TEST(HiddenScore, CaseListHasEveryCorner) {
   const Seeds seeds{1, 2};
-  EXPECT_EQ(one_effect(seeds).size(), 22u * 2 * 3 * 2);
+  EXPECT_EQ(one_effect(seeds).size(), std::size_t{kEffects} * 2 * 3 * 2);
   EXPECT_EQ(clean(seeds, 500).size(), 500u);
-  EXPECT_EQ(not_excited(seeds).size(), (15u + 3) * 3 * 2);
+  EXPECT_EQ(not_excited(seeds).size(), (17u + 3) * 3 * 2);
   for (const CaseKey& key : two_effects({1000, 1})) {
     EXPECT_EQ(key.effects.size(), 2u);
     EXPECT_EQ(key.seed, 1000u);

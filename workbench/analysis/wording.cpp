@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "workbench/recording/resample.hpp"
 #include "workbench/recording/time_unit.hpp"
 
 namespace workbench {
@@ -141,8 +142,10 @@ std::string_view advice(ident::Reason reason, ident::Cause cause, double detecta
 
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return "–";
-  char text[400];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  constexpr double kMost = 1e15;  // whose last digit a double still tells
+  if (std::abs(value) >= kMost) return number(value, 4);
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", std::min(decimals, 15), value);
   std::string out = text;
   const bool zero = out.find_first_of("123456789") == std::string::npos;
   if (zero && out.front() == '-') out.erase(0, 1);

@@ -32,7 +32,8 @@ template <class Found>
                 jump.ascending.low > 0 || jump.descending.low > 0);
 }
 
-/// `value` with `decimals` places; zero has no sign; "–" unless finite.
+/// `value` with `decimals` places, from 1e15 on with four digits; zero has no sign; "–"
+/// unless finite.
 [[nodiscard]] std::string fixed(double value, int decimals);
 
 /// Places after the point that show `resolution` with two digits, 0 … 9.

@@ -80,6 +80,7 @@ TEST(Wording, RoundsToWhatTheIntervalSupports) {
   EXPECT_EQ(fixed(-0.001, 1), "0.0");
   EXPECT_EQ(fixed(-0.0001, 2), "0.00");
   EXPECT_EQ(fixed(-1.5, 1), "-1.5");
+  EXPECT_EQ(fixed(1.5e300, 2), "1.5e+300");
   EXPECT_EQ(fixed(std::nan(""), 1), "–");
 }
 
