@@ -31,7 +31,7 @@ class RecordingFit:
     file: str  #: name of the recording
     fit_percent: float
     rmse: float
-    rmse_validation: float
+    rmse_validation: float | None  #: None where all of its samples were fitted
     judges: bool  #: nothing was fitted to it but its initial state
 
     def __str__(self) -> str:
@@ -39,8 +39,9 @@ class RecordingFit:
         if self.judges:
             return f"{text}, not fitted"
         # Where others judge, none of its samples does.
-        validated = self.rmse_validation > 0
-        return f"{text}, validation {self.rmse_validation:.4g}" if validated else text
+        if self.rmse_validation is None:
+            return text
+        return f"{text}, validation {self.rmse_validation:.4g}"
 
 
 def recordings_of_fit(found: dict[str, Any]) -> list[RecordingFit]:

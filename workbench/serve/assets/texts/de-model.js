@@ -417,6 +417,8 @@ export default {
   'turns of u': 'Umkehrungen von u',
   'u between the two pieces': 'u zwischen den beiden Stücken',
   'one of its two pieces is next to none: that is a limit, or a seat': 'eines seiner zwei Stücke ist so gut wie keines: Das ist eine Grenze oder ein Sitz',
+  'it is over as soon as the rest of the answer: that is a second lag': 'es ist so schnell vorbei wie der Rest der Antwort: Das ist eine zweite Verzögerung',
+  'the process is over within two samples either way': 'der Prozess ist in beiden Richtungen nach zwei Werten vorbei',
   'moves of u that last as long as the tail': 'Bewegungen von u, die so lange anhalten wie das Auslaufen',
   'a process that rings by itself': 'ein Prozess, der von selbst nachschwingt',
   'a sensor that sticks': 'ein Sensor, der hängen bleibt',
