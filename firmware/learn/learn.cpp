@@ -4,7 +4,6 @@
 #include <sys/signalfd.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <memory>

@@ -85,11 +85,11 @@ int add_to(const Options& options) {
   }
   complain_about_left_behind(next.model, read.joined);
   complain_about_unused(read, next.model, work);
+  const HistoryStep& step = next.model.history.back();
   return tell(options, read.joined, next, added_json(next.model),
-              "Added " + next.model.history.back().effect +
-                  change_text(next.model.history.back()) +
+              "Added " + step.effect + change_text(step) +
                   effect_table(next.model.effects.back(), 4) +
-                  harm_text(next.model, next.model.history.back().effect));
+                  harm_text(next.model, step.effect));
 }
 
 int remove_from(const Options& options) {

@@ -73,7 +73,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   const bool single = result.recordings.size() == 1;
   const double fit = single ? result.recordings.front().fit_percent : 100;
   const bool blind = result.left_to_controller;
-  const bool hardly = single && (says_hardly_anything(fit) || may_lack_gain(model));
+  const bool hardly = single && tells_nothing(model, fit);
   std::string text =
       hardly || blind ? caution_text(model, fit, blind) + '\n' : std::string();
   text += what_is_missing(result, hardly, verdict, so_far);

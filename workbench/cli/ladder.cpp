@@ -102,14 +102,13 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
                                  "the errors above. The fit below is "
                                  "that of all samples.");
   }
-  text +=
-      "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
-      number(result.last.noise_rmse, 4) + "\n" +
-      recordings_table(result.quality.recordings) +
-      (!result.complete ? why_it_ended(result, time_was_up, so_far) + '\n'
-       : says_hardly_anything(result.quality.fit_percent) || may_lack_gain(result.model)
-           ? ""
-           : what_is_left(result, verdict, so_far) + '\n');
+  text += "\nFit " + fixed(result.quality.fit_percent, 1) + " %; noise about " +
+          number(result.last.noise_rmse, 4) + "\n" +
+          recordings_table(result.quality.recordings) +
+          (!result.complete ? why_it_ended(result, time_was_up, so_far) + '\n'
+           : tells_nothing(result.model, result.quality.fit_percent)
+               ? ""
+               : what_is_left(result, verdict, so_far) + '\n');
   const std::string said = verdict_text(verdict);
   if (!said.empty()) text += '\n' + said.substr(0, said.size() - 1);
   for (const EffectTerm& term : result.model.effects) {

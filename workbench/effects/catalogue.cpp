@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "workbench/effects/effects.hpp"
-#include "workbench/recording/column_name.hpp"
+#include "workbench/recording/named_signal.hpp"
 
 namespace workbench {
 
@@ -15,15 +15,6 @@ std::string_view column_of(std::string_view code) {
   return code.starts_with(effects::kMeasuredLoad)
              ? code.substr(effects::kMeasuredLoad.size())
              : std::string_view();
-}
-
-// Without case and unit; some of the pieces of a name are enough.
-bool fits(const ColumnName& asked, const ColumnName& name) {
-  return asked.key == name.key ||
-         (!asked.pieces.empty() &&
-          std::ranges::all_of(asked.pieces, [&name](const std::string& piece) {
-            return std::ranges::find(name.pieces, piece) != name.pieces.end();
-          }));
 }
 
 }  // namespace
@@ -50,15 +41,16 @@ const Effect* Catalogue::find_asked(std::string_view code) const {
   if (column.empty() || std::ranges::find(effects_, exact) != effects_.end()) {
     return exact;
   }
-  const ColumnName asked = column_name(column);
-  const Effect* fitting = nullptr;
+  std::vector<NamedSignal> loads;
+  std::vector<const Effect*> of_load;
   for (const Effect* effect : effects_) {
     const std::string_view known = column_of(effect->code());
-    if (known.empty() || !fits(asked, column_name(known))) continue;
-    if (fitting != nullptr) return exact;
-    fitting = effect;
+    if (known.empty()) continue;
+    loads.push_back({.name = column_name(known)});
+    of_load.push_back(effect);
   }
-  return fitting != nullptr ? fitting : exact;
+  const std::vector<std::size_t> found = best_fitting(column_name(column), loads);
+  return found.size() == 1 ? of_load[found.front()] : exact;
 }
 
 Catalogue Catalogue::with(const std::vector<Load>& loads) const {

@@ -22,8 +22,8 @@ class Catalogue {
   /// Null where no effect has this code. O(n). A measured load has its own for any
   /// column: disturbance.measured:COLUMN.
   [[nodiscard]] const Effect* find(std::string_view code) const;
-  /// The same as a user writes it: a measured load without regard to case and unit, or
-  /// by some pieces of its name, where that fits one load of the catalogue.
+  /// The same as a user writes it: a measured load by any name that fits one of the
+  /// catalogue (best_fitting, named_signal.hpp).
   [[nodiscard]] const Effect* find_asked(std::string_view code) const;
   [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
   /// With an effect for each load of a recording.

@@ -148,7 +148,8 @@ void two_lags(std::span<const double> in, double period_s, double first_s,
   }
 }
 
-// (W41) The same where the first one fills and empties at different speeds; second_s = 0: one.
+// (W41) The same where the first one fills and empties at different speeds; second_s = 0:
+// one.
 void directional_lags(const ProcessShape& shape, std::span<const double> in,
                       double period_s, std::span<double> out) {
   struct Way {
@@ -352,12 +353,11 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
   }
   const bool bent = shape.storage.curvature != 0 || std::isfinite(shape.brim) ||
                     shape.falling_over_rising != 1;
-  if (shape.ring_period_s > 0 && !(shape.opposite_s > 0) && !bent) {
+  const bool rings = shape.ring_period_s > 0;
+  const bool at_once = rings && !(shape.opposite_s > 0) && !bent;
+  if (at_once) {
     ring_behind_lags(shape, period_s, input, out);
-    if (shape.tail_share > 0) delay_tail(shape, period_s, out);
-    return;
-  }
-  if (shape.opposite_s > 0) {
+  } else if (shape.opposite_s > 0) {
     std::vector<double> slow(input.size());
     slow_response(shape, period_s, input, slow);
     subtract_fast_part(shape, period_s, input, slow);
@@ -365,7 +365,7 @@ void respond(const ProcessShape& shape, double period_s, std::span<const double>
   } else {
     slow_response(shape, period_s, input, out);
   }
-  if (shape.ring_period_s > 0) ring(shape, period_s, out);
+  if (rings && !at_once) ring(shape, period_s, out);
   if (shape.tail_share > 0) delay_tail(shape, period_s, out);
 }
 

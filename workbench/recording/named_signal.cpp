@@ -74,20 +74,8 @@ std::string list_of(const std::vector<NamedSignal>& candidates) {
   return text;
 }
 
-std::size_t candidate_named(const std::string& name, const char* option,
-                            const std::vector<NamedSignal>& candidates,
-                            const ChoiceContext& context) {
-  const std::string given = std::string(option) + ' ' + shell_word(name);
-  if (name.size() > 1 && name[0] == '#' &&
-      std::all_of(name.begin() + 1, name.end(),
-                  [](char c) { return c >= '0' && c <= '9'; })) {
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (std::to_string(candidates[i].number) == name.substr(1)) return i;
-    }
-    throw std::invalid_argument(given + ": " + context.file + " has the " +
-                                context.candidates + ' ' + list_of(candidates));
-  }
-  const ColumnName wanted = column_name(name);
+std::vector<std::size_t> best_fitting(const ColumnName& wanted,
+                                      const std::vector<NamedSignal>& candidates) {
   const std::size_t common = common_pieces(candidates);
   const auto without_common = [common](const ColumnName& column) {
     std::string key;
@@ -109,26 +97,42 @@ std::size_t candidate_named(const std::string& name, const char* option,
     }
   };
   constexpr int kLevels = 5;
-  for (int level = 0; level < kLevels; ++level) {
-    std::vector<std::size_t> found;
+  std::vector<std::size_t> found;
+  for (int level = 0; level < kLevels && found.empty(); ++level) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (fits(level, candidates[i].name)) found.push_back(i);
     }
-    if (found.size() == 1) return found[0];
-    if (found.size() > 1) {
-      std::vector<NamedSignal> several;
-      std::string numbers;
-      for (const std::size_t i : found) {
-        several.push_back(candidates[i]);
-        if (numbers.size() < 60) {
-          numbers +=
-              (numbers.empty() ? "#" : ", #") + std::to_string(candidates[i].number);
-        }
-      }
-      throw std::invalid_argument(
-          given + " fits several " + context.candidates + " of " + context.file + ": " +
-          list_of(several) + "; give more of the name, or its number (" + numbers + ")");
+  }
+  return found;
+}
+
+std::size_t candidate_named(const std::string& name, const char* option,
+                            const std::vector<NamedSignal>& candidates,
+                            const ChoiceContext& context) {
+  const std::string given = std::string(option) + ' ' + shell_word(name);
+  if (name.size() > 1 && name[0] == '#' &&
+      std::all_of(name.begin() + 1, name.end(),
+                  [](char c) { return c >= '0' && c <= '9'; })) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (std::to_string(candidates[i].number) == name.substr(1)) return i;
     }
+    throw std::invalid_argument(given + ": " + context.file + " has the " +
+                                context.candidates + ' ' + list_of(candidates));
+  }
+  const std::vector<std::size_t> found = best_fitting(column_name(name), candidates);
+  if (found.size() == 1) return found[0];
+  if (found.size() > 1) {
+    std::vector<NamedSignal> several;
+    std::string numbers;
+    for (const std::size_t i : found) {
+      several.push_back(candidates[i]);
+      if (numbers.size() < 60) {
+        numbers += (numbers.empty() ? "#" : ", #") + std::to_string(candidates[i].number);
+      }
+    }
+    throw std::invalid_argument(
+        given + " fits several " + context.candidates + " of " + context.file + ": " +
+        list_of(several) + "; give more of the name, or its number (" + numbers + ")");
   }
   throw std::invalid_argument(given + ": no such name; " + context.file + " has the " +
                               context.candidates + ' ' + list_of(candidates));

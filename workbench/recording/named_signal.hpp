@@ -28,6 +28,12 @@ struct ChoiceContext {
   std::string time_option = {};        ///< "--time \"#1\"": what the file needs as well
 };
 
+/// The candidates that a name fits best, in their order: letter for letter, else without
+/// regard to case, unit and the like, else less what all have in front, else by its last
+/// pieces, else by any. Empty: none.
+[[nodiscard]] std::vector<std::size_t> best_fitting(
+    const ColumnName& wanted, const std::vector<NamedSignal>& candidates);
+
 /// The candidate that a given name means. Throws std::invalid_argument.
 [[nodiscard]] std::size_t candidate_named(const std::string& name, const char* option,
                                           const std::vector<NamedSignal>& candidates,

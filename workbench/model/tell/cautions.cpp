@@ -19,6 +19,10 @@ bool may_lack_gain(const Model& model) {
   return gain != nullptr && gain->low < gain->high && gain->low <= 0 && gain->high >= 0;
 }
 
+bool tells_nothing(const Model& model, double fit_percent) {
+  return says_hardly_anything(fit_percent) || may_lack_gain(model);
+}
+
 bool is_beside_the_point(const Candidate& best) {
   constexpr double kHardlyAnyPercent = 5;
   const Effect* effect = standard_catalogue().find(best.effect);

@@ -16,6 +16,9 @@ namespace workbench {
 /// True where the interval of the process gain holds 0: u may not move the output at all.
 [[nodiscard]] bool may_lack_gain(const Model& model);
 
+/// True where either of the two holds: nothing that is left over is worth a word.
+[[nodiscard]] bool tells_nothing(const Model& model, double fit_percent);
+
 /// True of what the readings show whatever the model, a coarse resolution, where next to
 /// none of the error is its doing. `best`: an accepted candidate.
 [[nodiscard]] bool is_beside_the_point(const Candidate& best);
