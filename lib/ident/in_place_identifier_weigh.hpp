@@ -168,9 +168,12 @@ void InPlaceIdentifier<Real, Capacity>::start_intervals() {
   // (I1) χ²(1) at 95 %, widened as calibrated on simulated loops.
   constexpr Real kQuantile = Real(3.84);
   constexpr Real kWidening = Real(20);
+  // (E21) Of the band that a linear valve leaves possible.
+  constexpr Real kExcludes = Real(8);
+  const Real widening = evidence.form == ValveForm::kLinear ? kExcludes : kWidening;
   const Real limit =
       chosen_.fit.error *
-      (Real(1) + kWidening * kQuantile / std::max(evidence.observations, Real(4)));
+      (Real(1) + widening * kQuantile / std::max(evidence.observations, Real(4)));
   constexpr Real kLeastMargin = Real(0.004);  // of the swing of u
   constexpr Real kModelMargin = Real(0.25);  // of the stick band, residual far from white
   const Real samples = static_cast<Real>(valve().window().y.size());
@@ -199,6 +202,14 @@ void InPlaceIdentifier<Real, Capacity>::take_bands() {
                         estimate(f.stick_descending(), bounds.stick_descending)};
   result_.slip_jump = {estimate(f.slip_ascending, bounds.slip_ascending),
                        estimate(f.slip_descending, bounds.slip_descending)};
+  // (E21) Bands that no process makes up for.
+  if constexpr (kStemSearch) {
+    if (result_.evidence.by_hand && result_.evidence.form == ValveForm::kLinear) {
+      result_.evidence.excluded.above =
+          std::max(bounds.stick_ascending.high, bounds.stick_descending.high) /
+          movement_.swing;
+    }
+  }
   result_.valve = chosen_;
   result_.valve.friction.deadband *= u_range();
   result_.valve.friction.slip_ascending *= u_range();
@@ -329,6 +340,13 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   }
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, verdict_of(reason));
+  }
+  if constexpr (kStemSearch) {
+    if (evidence.by_hand) {
+      result_.detectable_band =
+          shown_or_excluded(evidence, evidence.ladder.detectable_band) * movement_.swing *
+          u_range();
+    }
   }
   finish(reason);
   if (!is_fault(result_.verdict)) {

@@ -10,7 +10,8 @@ namespace workbench {
 namespace {
 
 constexpr int kMost = 3;
-// What the law must explain, and leave over what it leaves as recorded.
+// What the law must explain, and leave over what it leaves as recorded, or a sample to
+// either side: one that is nothing but integral is as good there.
 constexpr double kExplained = 0.6;
 constexpr double kSharper = 0.5;
 
@@ -44,7 +45,13 @@ int samples_late(const RecordingView& recording) {
     best = action.proportional * action.integral > 0 ? late : 0;
     sharpest = action.r_squared;
   }
-  return 1 - sharpest < kSharper * (1 - as_recorded) ? best : 0;
+  const auto is_sharper_than = [sharpest](double r_squared) {
+    return 1 - sharpest < kSharper * (1 - r_squared);
+  };
+  const bool sharper = is_sharper_than(as_recorded) &&
+                       is_sharper_than(law(best - 1).r_squared) &&
+                       is_sharper_than(law(best + 1).r_squared);
+  return sharper ? best : 0;
 }
 
 std::string alignment_note(int late) {

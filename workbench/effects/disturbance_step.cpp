@@ -31,6 +31,14 @@ bool passes(std::span<const double> p) {
   return p[kPassing] > 0.5;
 }
 
+// Whether it is there at the first sample and gone before the process has forgotten how
+// it began.
+bool is_of_beginning(const Situation& s, std::span<const double> p) {
+  constexpr double kLags = 3;
+  return passes(p) && p[kTime] < kNear * s.duration_s() &&
+         p[kEnd] < kLags * (s.first_lag_s + s.second_lag_s);
+}
+
 // Of its size, what the output has come to by the end of the load or of the recording.
 double share_reached(const Situation& s, std::span<const double> p) {
   if (p[kThroughProcess] < 0.5 || !(s.first_lag_s > 0)) return 1;
@@ -153,6 +161,11 @@ class Step final : public Effect {
                                       std::span<const double> c) const override {
     if (!s.integrating && std::abs(c[0]) * share_reached(s, p) > s.y_span()) {
       return "it would have to be larger than all that the output does";
+    }
+    if (is_of_beginning(s, p)) {
+      return "it is there at the first sample and gone within three lags: the process "
+             "may "
+             "have begun otherwise than the model thinks";
     }
     // What comes through the process makes no controller jump.
     const auto jumps = p[kThroughProcess] < 0.5 ? u_jumps_before : u_jumps_near;

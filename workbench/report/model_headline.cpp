@@ -49,7 +49,7 @@ std::string model_headline(const ModelReport& report) {
     return "From u alone the model says hardly anything about the output.";
   }
   if (may_lack_gain(report.model)) {
-    return "Nothing shows that the output follows u at all.";
+    return "How far the output follows u, if at all, is not told.";
   }
   const auto [found, doubtful, harmful] = told_of(report);
   const std::string what = titled(found, " and ");

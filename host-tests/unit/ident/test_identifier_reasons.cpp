@@ -1,8 +1,10 @@
 // Every reason and every cause that the identifier gives, from a loop that deserves it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
@@ -124,6 +126,34 @@ TEST(IdentifierReasons, ThatABandIsLostInTheResolution) {
     u = 6 * std::round(u / 6);
   }
   expect_verdict(identify(s), Reason::kBandBelowResolution);
+}
+
+// u moved by hand, far up and down and a little back each time; behind a lag of 20
+// samples, with noise.
+test::Scened step_test(double play) {
+  const double levels[] = {50, 60, 57, 45, 48, 58, 55, 40, 43, 58};
+  test::Scened s;
+  test::Random random(5);
+  std::normal_distribution<double> noise(0, 0.2);
+  double stem = levels[0];
+  double y = stem;
+  for (const double level : levels) {
+    stem = std::clamp(stem, level - play / 2, level + play / 2);
+    for (int k = 0; k < 100; ++k) {
+      y += (stem - y) / 20;
+      s.u.push_back(level);
+      s.y.push_back(y + noise(random));
+    }
+  }
+  return s;
+}
+
+TEST(IdentifierReasons, WhichBandAStepTestExcludes) {
+  const auto healthy = identify(step_test(0));
+  expect_verdict(healthy, Reason::kLinearExplains);
+  EXPECT_GT(healthy.detectable_band, 0.2);
+  EXPECT_LT(healthy.detectable_band, 6);
+  EXPECT_NE(verdict_of(identify(step_test(6)).reason), Verdict::kNoStiction);
 }
 
 TEST(IdentifierReasons, ALoopThatDoesNotOscillateIsNotToldSo) {

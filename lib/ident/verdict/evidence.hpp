@@ -89,6 +89,16 @@ struct StemBesideSetpoint<Real, false> {
   static constexpr Real nats = 0;
 };
 
+/// The largest stick band that a step test by hand leaves possible (E21).
+template <class Real, bool kSearched = kStemSearch>
+struct ExcludedBand {
+  Real above = 0;  ///< over the usual swing of u, wider ones are excluded; 0: unknown
+};
+template <class Real>
+struct ExcludedBand<Real, false> {
+  static constexpr Real above = 0;
+};
+
 /// The numbers behind the verdict, all free of units.
 template <class Real>
 struct Evidence {
@@ -119,6 +129,7 @@ struct Evidence {
   [[no_unique_address]] StrokePace<Real> pace;
   [[no_unique_address]] StemBesideU<Real> beside_u;
   [[no_unique_address]] StemBesideSetpoint<Real> beside_setpoint;
+  [[no_unique_address]] ExcludedBand<Real> excluded;
 };
 
 /// Whether the searched one of the window's own stems has more closed-loop evidence than
@@ -143,6 +154,15 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real best_nats(const Evidence<Real>& e) {
   return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
+}
+
+/// The smaller of a band that would have shown one sample ahead, over the usual swing of
+/// u, and of one that is excluded; 0: neither is known.
+template <class Real>
+[[nodiscard]] Real shown_or_excluded(const Evidence<Real>& e, Real ahead) {
+  const Real excluded = e.excluded.above;
+  return ahead > Real(0) && excluded > Real(0) ? std::min(ahead, excluded)
+                                               : std::max(ahead, excluded);
 }
 
 /// Chooses the form, the simplest one that the data support: each parameter more must

@@ -89,8 +89,10 @@ class PairSearch {
     for (std::size_t i = 0; i < few; ++i) {
       for (std::size_t j = i + 1; j < few; ++j) ask(i, j);
     }
-    // (W20) Neither shows alone.
-    ask_of_integrators([](const Effect& e) { return e.description().recorded; });
+    // (W20) Neither shows alone; nor does either of a position behind a drive.
+    ask_of_integrators([](const Effect& e) {
+      return e.description().recorded || &e == &effects::process_second_lag();
+    });
     try_waiting();
     // Some effects show only beside another.
     for (const std::size_t i : to_pair_with_all(few)) {

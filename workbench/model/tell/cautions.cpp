@@ -59,8 +59,8 @@ std::vector<std::string> cautions(const Model& model, double fit_percent,
   }
   if (may_lack_gain(model)) {
     return {
-        "The interval of the gain holds 0: nothing shows that the output follows u at "
-        "all. Move u further, or give the column that moves the output."};
+        "The interval of the gain holds 0: how far the output follows u, if at all, is "
+        "not told. Move u further, or give the column that moves the output."};
   }
   const Parameter* lag = find(model.process, "first_lag");
   if (lag == nullptr || lag->value < kAtBound * lag->bound_high) return {};

@@ -132,5 +132,15 @@ TEST_F(Evidences, BandsFitsAndTimesAreThoseOfTheForm) {
   EXPECT_NEAR(std::exp(-1 / (e.time_constant * 110)), model.poles.slow, 1e-4);
 }
 
+TEST_F(Evidences, TheSmallerOfTwoBandsIsToldOfWhichEitherMayBeUnknown) {
+  Evidence<double> e;
+  EXPECT_EQ(shown_or_excluded(e, 0.0), 0);
+  EXPECT_EQ(shown_or_excluded(e, 0.3), 0.3);
+  e.excluded.above = 0.2;
+  EXPECT_EQ(shown_or_excluded(e, 0.0), 0.2);
+  EXPECT_EQ(shown_or_excluded(e, 0.3), 0.2);
+  EXPECT_EQ(shown_or_excluded(e, 0.1), 0.1);
+}
+
 }  // namespace
 }  // namespace ident

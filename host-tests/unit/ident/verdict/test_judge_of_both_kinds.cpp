@@ -419,6 +419,20 @@ TEST(JudgeOfBothKinds, AValveFollowsOnlyWhereABandThatMattersWouldHaveShown) {
   expect(detectable(0), Reason::kBandWouldNotShow);
 }
 
+TEST(JudgeOfBothKinds, ABandThatAStepTestExcludesDoesAsWell) {
+  const auto excluded = [](double above) {
+    Evidence<double> e = following();
+    e.by_hand = true;
+    e.reversals = 3;
+    e.ladder.detectable_band = 0;
+    e.excluded.above = above;
+    return judge(e, false);
+  };
+  expect(excluded(0.35), Reason::kLinearExplains);
+  expect(excluded(0.36), Reason::kBandWouldNotShow);
+  expect(excluded(0), Reason::kBandWouldNotShow);
+}
+
 TEST(JudgeOfBothKinds, WhereNoValveExplainsYItIsAnotherThing) {
   const auto poor = [](auto& e) { e.fit_percent = 24.9; };
   expect(judged(following(), poor, true), Reason::kNotTheValve);

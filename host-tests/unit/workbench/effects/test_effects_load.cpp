@@ -55,6 +55,21 @@ TEST(LoadStep, IsDoubtedWhileALoneMoveOfUIsAnswered) {
   EXPECT_EQ(objection(2, true, 0, 20, 2), "") << "five lags after it";
 }
 
+TEST(LoadStep, IsDoubtedWhereItIsOverBeforeTheBeginningIsForgotten) {
+  std::vector<double> u(101, 40.0);
+  std::vector<double> y(101);
+  for (std::size_t k = 0; k < y.size(); ++k) y[k] = 0.1 * static_cast<double>(k);
+  Situation s = situation_of(u, y, 1);
+  const auto from_to = [&s](double from, double to) {
+    return effects::disturbance_step().objection(s, std::vector<double>{from, 1, 1, to},
+                                                 std::vector<double>{2});
+  };
+  s.first_lag_s = 8;
+  EXPECT_NE(from_to(0, 20).find("begun otherwise"), std::string::npos);
+  EXPECT_EQ(from_to(0, 30), "") << "four lags after it";
+  EXPECT_EQ(from_to(5, 20), "") << "it was not there at first";
+}
+
 // What is said against a drift from 20 s on, where u is `wave` wide on a sweep.
 std::string objection_to_drift(double wave) {
   std::vector<double> u(101);

@@ -193,6 +193,25 @@ TEST(Pairs, AStorageIsTriedBesideTheLimitThatHoldsItBack) {
   EXPECT_NE(found.find("process.integrating"), std::string::npos) << found;
 }
 
+// The position of a drive: what stores turns behind a lag.
+TEST(Pairs, AStorageIsTriedBesideTheLagOfTheDrive) {
+  Recording recording = heaters();
+  recording.loads.clear();
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 0.02);
+  double speed = 0;
+  double position = 0;
+  for (std::size_t k = 0; k < recording.size(); ++k) {
+    recording.u[k] = std::sin(0.05 * static_cast<double>(k)) > 0 ? 2 : -2;
+    recording.y[k] = position + noise(random);
+    speed += (recording.u[k] - speed) / 12;
+    position += 0.1 * speed;
+  }
+  const std::string found = named_first(recording);
+  EXPECT_NE(found.find("process.integrating"), std::string::npos) << found;
+  EXPECT_NE(found.find("process.second_lag"), std::string::npos) << found;
+}
+
 TEST(Pairs, AStemAloneNeedsNone) {
   EXPECT_EQ(named_first(simulated(cycling())), "valve.stiction");
 }
