@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <span>
+#include <utility>
 
+#include "ident/signal/signal_shape.hpp"
+#include "workbench/analysis/longest_part.hpp"
 #include "workbench/recording/output_limit.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/statistics.hpp"
@@ -77,6 +80,20 @@ std::string same_sample_note(const RecordingView& recording) {
              ? "y moves with u in the same sample: the process answers faster than it is "
                "sampled, or u follows y. A shorter sample period would tell"
              : "";
+}
+
+std::vector<std::string> notes_for_model(const RecordingView& recording) {
+  std::vector<std::string> notes;
+  const UncutPart part = longest_part(recording);
+  // The only move of a step test is a jump as well.
+  if (part.length < recording.size() && !ident::moves_rarely<double>(recording.u)) {
+    notes.push_back("y and u jump at " + number(recording.t[part.seam_at]) +
+                    " s, as where two recordings were joined: the model takes them as "
+                    "one. Give the parts as files of their own");
+  }
+  std::string same_sample = same_sample_note(recording);
+  if (!same_sample.empty()) notes.push_back(std::move(same_sample));
+  return notes;
 }
 
 }  // namespace workbench

@@ -22,4 +22,8 @@ namespace workbench {
 /// which no model of u alone can say which of them comes first; else "". O(samples).
 [[nodiscard]] std::string same_sample_note(const RecordingView& recording);
 
+/// Of a recording that a model takes as one and answers from u: where it may have been
+/// joined (longest_part.hpp), and the above. Cost: some ten passes.
+[[nodiscard]] std::vector<std::string> notes_for_model(const RecordingView& recording);
+
 }  // namespace workbench

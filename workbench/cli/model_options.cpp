@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "workbench/analysis/signal_notes.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -233,6 +234,9 @@ ReadRecordings read_for(ModelOptions options, Column output,
                                 ", read as with --load: " + error.what());
   }
   for (const std::string& note : out.joined.resampling.notes) complain(note);
+  for (const Recording& one : out.fitted) {
+    for (const std::string& note : notes_for_model(one)) complain(note);
+  }
   return out;
 }
 

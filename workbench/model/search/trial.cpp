@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/signal/signal_shape.hpp"
 #include "workbench/effects/common.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
@@ -91,10 +92,12 @@ void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
         test_given_past(base.residual, fit.residual, here.u, blocks);
     trial.p_free_running = trial.test.p_value;
     // Of few moves of u one may tell all that is told one sample ahead; what looks like
-    // the residual from end to end is not one move alone.
+    // the residual from end to end is not one move alone. Nor is it a load that the
+    // controller answers, where u moves by hand (W42).
     const double alike = likeness_by_chance(base.residual, fit.residual, blocks);
-    trial.test.p_value = std::max(
-        trial.test.p_value, std::min(ahead.p_steady, std::max(ahead.p_value, alike)));
+    const double told =
+        ident::moves_rarely<double>(here.u) ? alike : std::max(ahead.p_value, alike);
+    trial.test.p_value = std::max(trial.test.p_value, std::min(ahead.p_steady, told));
   }
   for (const Effect* member : members_of(trial)) {
     trial.test.p_value = std::max(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "workbench/analysis/signal_notes.hpp"
@@ -82,6 +83,30 @@ TEST(SignalNotes, SayThatTheSignalsMoveInTheSameSample) {
   recording.y.insert(recording.y.begin(), recording.y.front());
   recording.y.pop_back();
   EXPECT_EQ(same_sample_note(recording), "");
+}
+
+// Two days of a loop as one file, of which the second runs elsewhere.
+TEST(SignalNotes, TellOfWhatAModelTakesAsOne) {
+  Recording recording;
+  recording.period_s = 2;
+  std::mt19937 random(4);
+  std::normal_distribution<> noise;
+  double y = 0;
+  for (int k = 0; k < 600; ++k) {
+    const double above = k < 250 ? 0 : 60;
+    const double u = std::sin(0.1 * k);
+    y += 0.2 * (u - y) + 0.01 * noise(random);
+    recording.t.push_back(2.0 * k);
+    recording.u.push_back(u + above);
+    recording.y.push_back(y + above);
+  }
+  const std::vector<std::string> notes = notes_for_model(recording);
+  ASSERT_FALSE(notes.empty());
+  EXPECT_NE(notes[0].find("jump at 500 s, as where two"), std::string::npos);
+  for (double& u : recording.u) u = u < 30 ? 0 : 60;
+  for (const std::string& note : notes_for_model(recording)) {
+    EXPECT_EQ(note.find("as where two"), std::string::npos) << "one step by hand";
+  }
 }
 
 }  // namespace
