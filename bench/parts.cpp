@@ -82,10 +82,9 @@ RefinementPart<Real>::RefinementPart(const ScaledWindow<Real>& window,
 
 template <class Real>
 Real RefinementPart<Real>::run() {
-  using Fit = ident::OutputErrorFit<Real>;
   ident::TwoPathModel<Real> model = model_;
   ident::InitialState<Real> initial{};
-  fit_->start(window_.view(), Fit::Valve::kPaths, {}, 1, model, initial, scratch_);
+  fit_->start(window_.view(), {}, 1, model, initial, scratch_);
   while (!fit_->done()) {
     fit_->step();
   }

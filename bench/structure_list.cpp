@@ -47,17 +47,16 @@ StructureFit<Real> StructureEvaluator<Real>::evaluate(const ident::Structure& st
   for (int k = 0; k < structure.na; ++k) {
     const ident::WindowView<Real> head{window_.u.first(k + 1), window_.y.first(k + 1),
                                        window_.ascending.first(k + 1)};
-    ident::simulate_paths<Real>(head, ident::PathValve::kPaths, {}, result.model, initial,
-                                simulated_);
+    ident::simulate_paths<Real>(head, {}, result.model, initial, simulated_);
     initial[k] += window_.y[k] - simulated_[k];
   }
-  const Real error = ident::simulate_paths<Real>(window_, ident::PathValve::kPaths, {},
-                                                 result.model, initial, simulated_);
+  const Real error =
+      ident::simulate_paths<Real>(window_, {}, result.model, initial, simulated_);
   const int dimension = structure.na + structure.nb + 1 + structure.segments_ascending +
                         structure.segments_descending + 2;
   const Real samples = static_cast<Real>(window_.y.size());
   result.aic = samples * std::log(error) + Real(2) * static_cast<Real>(dimension);
-  result.fit_percent = ident::fit_percent<Real>(simulated_, window_.y);
+  result.fit_percent = Real(100) * (Real(1) - std::sqrt(error / samples));
   result.known = std::isfinite(error);
   return result;
 }

@@ -11,6 +11,7 @@
 #include "ident/signal/sample_window.hpp"
 #include "ident/two_path/two_path_model.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
+#include "support/ident/two_path_reference.hpp"
 
 namespace ident {
 namespace {
@@ -203,22 +204,6 @@ RC_GTEST_PROP(NnlsLaws, MeetTheOptimalityConditions, ()) {
   }
 }
 
-RC_GTEST_PROP(FitLaws, DoesNotKnowUnitsAndIsAtMost100, ()) {
-  const auto y = any_signal(100);
-  std::vector<double> simulated;
-  std::vector<double> y_other;
-  std::vector<double> simulated_other;
-  for (const double value : y) {
-    simulated.push_back(value + any_level(-1, 1));
-    y_other.push_back(-8 * value + 3);
-    simulated_other.push_back(-8 * simulated.back() + 3);
-  }
-  const double fit = fit_percent<double>(simulated, y);
-  RC_ASSERT(fit <= 100);
-  const double other = fit_percent<double>(simulated_other, y_other);
-  RC_ASSERT(std::abs(other - fit) <= 1e-6 * (1 + std::abs(fit)));
-}
-
 // Stable by the test means that an impulse dies out.
 RC_GTEST_PROP(ProcessLaws, AStableProcessForgets, ()) {
   Process<double> process;
@@ -235,7 +220,7 @@ RC_GTEST_PROP(ProcessLaws, AStableProcessForgets, ()) {
   const std::vector<double> x(1000, 0.0);
   std::vector<double> y(1000);
   const double impulse = 1;
-  free_run<double>(process, x, {&impulse, 1}, y);
+  test::free_run<double>(process, x, {&impulse, 1}, y);
   RC_ASSERT(std::abs(y.back()) < 1e-9);
 }
 

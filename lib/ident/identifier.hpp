@@ -7,8 +7,8 @@
 //   const auto& found = identifier.run(u, y, {});   // found.verdict, found.reason
 //
 // Cost. A window of 2,048 samples takes some 3·10⁴ units of 100,000 instructions of a
-// Cortex-M4F, on a desk a few tenths of a second at most; `step(budget)` ends about a unit
-// after its budget at most. The answer does not depend on the budgets.
+// Cortex-M4F, on a desk a few tenths of a second at most; `step(budget)` ends about a
+// unit after its budget at most. The answer does not depend on the budgets.
 //
 // Memory, KiB, all of it in the object but the stack: float 512: 32.1, float 2048: 51.6,
 // double 2048: 100.2, double 4096: 150.2. On a desk it belongs on the heap.
@@ -16,11 +16,12 @@
 // One thread for each object; objects know nothing of each other. No heap, exceptions,
 // RTTI, OS or clock.
 //
-// Failures. Any samples are accepted: a window that cannot be identified, or has a value of
-// u or y that is not finite, is Verdict::kUndecided or kBadData, and `sentence(found.reason)`
-// says why (verdict/identification.hpp).
+// Failures. Any samples are accepted: a window that cannot be identified, or has a value
+// of u or y that is not finite, is Verdict::kUndecided or kBadData, and
+// `sentence(found.reason)` says why (verdict/identification.hpp).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -37,10 +38,21 @@ class Identifier : public InPlaceIdentifier<Real, Capacity> {
   /// As InPlaceIdentifier::start, but u and y are copied; `sp` must stay as it is until
   /// `done`.
   void start(std::span<const Real> u, std::span<const Real> y, std::span<const Real> sp,
-             int gain_sign = 0, const WindowOptions& options = {});
+             int gain_sign = 0, const WindowOptions& options = {}) {
+    const std::size_t count = std::min({u.size(), y.size(), Capacity});
+    std::copy_n(u.begin(), count, u_.begin());
+    std::copy_n(y.begin(), count, y_.begin());
+    InPlaceIdentifier<Real, Capacity>::start({u_.data(), count}, {y_.data(), count}, sp,
+                                             gain_sign, options);
+  }
   /// `start`, and `step` until done.
   const Identification<Real>& run(std::span<const Real> u, std::span<const Real> y,
-                                  std::span<const Real> sp, int gain_sign = 0);
+                                  std::span<const Real> sp, int gain_sign = 0) {
+    start(u, y, sp, gain_sign);
+    while (!this->step(kLargeBudget)) {
+    }
+    return this->result();
+  }
 
  private:
   std::array<Real, Capacity> u_;

@@ -42,7 +42,6 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
   result_ = {};
   if constexpr (kTwoPathSearch) {
     two_path_ = {};
-    linear_ = {};
   }
   chosen_ = {};
   placing_ = {};
@@ -70,13 +69,15 @@ void InPlaceIdentifier<Real, Capacity>::start(std::span<Real> u, std::span<Real>
 }
 
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::survey_next() {
+bool InPlaceIdentifier<Real, Capacity>::survey_some() {
   const bool over = survey().step(result_);
   scale_of_u_ = survey().of_u();
   scale_of_y_ = survey().of_y();
-  if (!over) {
-    return;
-  }
+  return over;
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::after_survey() {
   movement_ = survey().movement();
   result_.evidence.pace = movement_.pace;
   if (survey().refusal() != Reason::kNone) {
@@ -92,118 +93,113 @@ void InPlaceIdentifier<Real, Capacity>::survey_next() {
 template <class Real, std::size_t Capacity>
 EvidenceWindow<Real> InPlaceIdentifier<Real, Capacity>::evidence_window(
     OneStepSums<Real>& sums) {
-  EvidenceWindow<Real> window;
-  window.u = u();
-  window.y = y();
-  window.scratch = {scratch_.data(), size_};
-  window.sums = &sums;
-  window.period = movement_.period;
-  window.swing = movement_.swing;
-  window.span =
+  const Real span =
       options_.span > 0 ? static_cast<Real>(options_.span) / u_range() : movement_.swing;
-  return window;
-}
-
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::start_paths(
-    typename StructureSearch<Real>::ValveKind kind) {
-  if constexpr (kTwoPathSearch) {
-    structure().start(window(), kind, {scratch_.data(), size_});
-  }
+  return {u(), y(), {scratch_.data(), size_}, &sums, movement_.period, movement_.swing,
+          span};
 }
 
 template <class Real, std::size_t Capacity>
 bool InPlaceIdentifier<Real, Capacity>::step(int budget) {
-  if (stage_ < Stage::kLinearProcess) {
-    find_valve(budget);
-  } else if (stage_ <= Stage::kJudge) {
-    judge_loop(budget);
-  } else {
-    explain_next(budget);
+  if (work(budget)) {
+    if (stage_ < Stage::kLinearProcess) {
+      find_valve();
+    } else if (stage_ <= Stage::kJudge) {
+      judge_loop();
+    } else {
+      explain_next();
+    }
   }
   return done();
 }
 
-// From the window to the valve that explains it best, with its rivals and its intervals.
+// About `budget` units of what the stage waits for; true when that is over.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::find_valve(int budget) {
+bool InPlaceIdentifier<Real, Capacity>::work(int budget) {
+  int left = budget * kUnit;
   switch (stage_) {
     case Stage::kSurvey:
-      survey_next();
-      break;
-    case Stage::kLadder:
-      if (closed_loop().step(budget)) {
-        kStemSearch ? after_ladder() : take_ladder();
+      return survey_some();
+    case Stage::kCycle:
+    case Stage::kBounds:
+      if constexpr (kStemSearch) {
+        auto& rivals = ladder_stage().rivals;
+        return stage_ == Stage::kCycle ? rivals.memory.step(budget)
+                                       : rivals.bounded.step(budget);
       }
-      break;
-    case Stage::kRivals:
-      look_at_rivals(budget);
       break;
     case Stage::kTwoPath:
     case Stage::kLinear:
-      find_paths(budget);
+      if constexpr (kTwoPathSearch) {
+        return structure().step(budget);
+      }
       break;
     case Stage::kValve:
-      if (valve().step(budget)) {
-        begin_weighing();
-      }
-      break;
+      return valve().step(budget);
     case Stage::kWeigh:
-      if (run_pass(budget)) {
-        weigh();
-      }
-      break;
     case Stage::kReference:
-      if (run_pass(budget)) {
-        begin_comparison();
-      }
-      break;
     case Stage::kCompare:
-      if (run_pass(budget)) {
-        compare_cycles();
-      }
-      break;
+      return valve().pass().run(left);
     case Stage::kIntervals:
-      if (intervals().step(valve(), budget)) {
-        look_at_loop();
-      }
-      break;
+      return intervals().step(valve(), budget);
+    case Stage::kLinearProcess:
+    case Stage::kProcess:
+      return solve_process(budget);
+    case Stage::kLinearOutput:
+    case Stage::kGapOutput:
+      return (kNamesCause || kModelGap) && simulate_process(budget);
+    case Stage::kLadder:
+    case Stage::kStemEvidence:
+    case Stage::kStemSearched:
+    case Stage::kStemConfirmed:
+    case Stage::kBesideSetpoint:
+      return closed_loop().step(budget);
+    case Stage::kGap:
+      return look_for_gap(budget);
     default:
       break;
   }
+  return true;
 }
 
-// What else than a stem that sticks foretells y.
+// From the window to the valve that explains it best, with its rivals and its intervals.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::look_at_rivals(int budget) {
-  if constexpr (kStemSearch) {
-    auto& rivals = ladder_stage().rivals;
-    if (rivals.remembers) {
-      if (rivals.memory.step(budget)) {
-        result_.evidence.cycle.nats = rivals.memory.nats();
-        look_at_bounds();
-      }
-    } else if (rivals.bounded.step(budget)) {
-      result_.evidence.bounded = {rivals.bounded.nats(), rivals.bounded.bound()};
-      look_beside_rung();
-    }
+void InPlaceIdentifier<Real, Capacity>::find_valve() {
+  switch (stage_) {
+    case Stage::kSurvey:
+      return after_survey();
+    case Stage::kLadder:
+      return after_ladder();
+    case Stage::kCycle:
+      return after_cycle();
+    case Stage::kBounds:
+      return after_bounds();
+    case Stage::kTwoPath:
+    case Stage::kLinear:
+      return after_paths();
+    case Stage::kValve:
+      return begin_weighing();
+    case Stage::kWeigh:
+      return weigh();
+    case Stage::kReference:
+      return begin_comparison();
+    case Stage::kCompare:
+      return compare_cycles();
+    default:
+      return look_at_loop();
   }
 }
 
 // The paper's structure, and a linear valve beside it.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::find_paths(int budget) {
+void InPlaceIdentifier<Real, Capacity>::after_paths() {
   if constexpr (kTwoPathSearch) {
-    if (!structure().step(budget)) {
-      return;
-    }
-    const StructureCandidate<Real>& best = structure().best();
     if (stage_ == Stage::kTwoPath) {
-      two_path_ = best;
-      start_paths(StructureSearch<Real>::ValveKind::kLinear);
+      two_path_ = structure().best();
+      structure().start(window(), StructureSearch<Real>::ValveKind::kLinear,
+                        {scratch_.data(), size_});
       stage_ = Stage::kLinear;
     } else {
-      linear_ = {best.known, best.error, best.aic};
       take_two_path();
       start_valve();
     }
@@ -212,96 +208,56 @@ void InPlaceIdentifier<Real, Capacity>::find_paths(int budget) {
 
 // From the valve to the verdict: the loop around it, and what its stem foretells.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::judge_loop(int budget) {
+void InPlaceIdentifier<Real, Capacity>::judge_loop() {
   switch (stage_) {
     case Stage::kLinearProcess:
-      if (solve_process(budget)) {
-        stage_ = kNamesCause ? Stage::kCrossover : Stage::kSetpoint;
-      }
-      break;
+      stage_ = kNamesCause ? Stage::kCrossover : Stage::kSetpoint;
+      return;
     case Stage::kCrossover:
       if constexpr (kNamesCause) {
         look_at_crossover();
       }
-      break;
+      return;
     case Stage::kLinearOutput:
-      if constexpr (kNamesCause) {
-        if (simulate_process(budget)) {
-          stage_ = Stage::kMargin;
-        }
-      }
-      break;
+      stage_ = Stage::kMargin;
+      return;
     case Stage::kMargin:
       if constexpr (kNamesCause) {
         look_at_margin();
       }
-      break;
+      return;
     case Stage::kSetpoint:
-      look_at_setpoint();
-      break;
+      return look_at_setpoint();
     case Stage::kStem:
-      take_stem();
-      break;
+      return take_stem();
     case Stage::kProcess:
-      if (solve_process(budget)) {
-        placed() ? take_bands() : take_stem();
-      }
-      break;
-    case Stage::kStemEvidence:
-    case Stage::kStemSearched:
-    case Stage::kStemConfirmed:
-    case Stage::kBesideSetpoint:
-      if (closed_loop().step(budget)) {
-        take_stem_evidence();
-      }
-      break;
-    case Stage::kJudge:
-      take_verdict();
-      break;
-    default:
-      break;
-  }
-}
-
-// What stems foretell one sample ahead: the fitted one, then others.
-template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::take_stem_evidence() {
-  switch (stage_) {
+      return placed() ? take_bands() : take_stem();
     case Stage::kStemEvidence:
       return weigh_stem();
     case Stage::kStemSearched:
       return confirm_stem();
     case Stage::kStemConfirmed:
       return take_searched_stem();
-    default:
+    case Stage::kBesideSetpoint:
       return take_beside_setpoint();
+    default:
+      return take_verdict();
   }
 }
 
 // What the model lacks.
 template <class Real, std::size_t Capacity>
-void InPlaceIdentifier<Real, Capacity>::explain_next(int budget) {
+void InPlaceIdentifier<Real, Capacity>::explain_next() {
   if constexpr (kModelGap) {
     switch (stage_) {
       case Stage::kGapStem:
-        lay_gap();
-        break;
+        return lay_gap();
       case Stage::kGapOutput:
-        if (simulate_process(budget)) {
-          start_gap();
-        }
-        break;
+        return start_gap();
       case Stage::kGap:
-        for (int left = budget * kUnit; left > 0 && !gap().done();
-             left -= gap().cost_of_step()) {
-          gap().step();
-        }
-        if (gap().done()) {
-          take_gap();
-        }
-        break;
+        return take_gap();
       default:
-        break;
+        return;
     }
   }
 }
@@ -335,16 +291,16 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   for (std::size_t reversals = 0; reversals < kFirstReversals && ++fifth < end;) {
     reversals += ascending_[fifth] != ascending_[fifth - 1] ? 1 : 0;
   }
-  SearchWindow<Real> search;
-  search.first_part = (fifth - first) / decimation;
-  search.u = {u_.data() + first, end - first};
-  search.y = means;
-  search.decimation = decimation;
-  search.period = movement_.period / static_cast<Real>(decimation);
-  search.warm_up = first_return<Real>(
-      u().subspan(first), {ascending_.data() + first, size_ - first}, movement_.period);
-  search.swing = movement_.swing;
-  search.drift = true;
+  const SearchWindow<Real> search{
+      .u = {u_.data() + first, end - first},
+      .y = means,
+      .decimation = decimation,
+      .period = movement_.period / static_cast<Real>(decimation),
+      .warm_up = first_return<Real>(u().subspan(first),
+                                    {ascending_.data() + first, size_ - first},
+                                    movement_.period),
+      .first_part = (fifth - first) / decimation,
+      .swing = movement_.swing};
   result_.decimation = decimation;
   const LadderFinding<Real>& ladder = result_.evidence.ladder;
   const bool doubted = ladder.predicted > 0 && ladder.nats < Real(kNoNats);
@@ -356,12 +312,6 @@ void InPlaceIdentifier<Real, Capacity>::start_valve() {
   stage.search.start(search, {stage.stem.data(), count}, {scratch_.data(), count},
                      stage.stems, options_.earlier, u_range(), doubted, elsewhere);
   stage_ = Stage::kValve;
-}
-
-template <class Real, std::size_t Capacity>
-bool InPlaceIdentifier<Real, Capacity>::run_pass(int budget) {
-  int left = budget * kUnit;
-  return valve().pass().run(left);
 }
 
 template class InPlaceIdentifier<float, kSmallWindow>;

@@ -108,7 +108,8 @@ class InPlaceIdentifier {
   enum class Stage : unsigned char {
     kSurvey,
     kLadder,
-    kRivals,
+    kCycle,
+    kBounds,
     kTwoPath,
     kLinear,
     kValve,
@@ -135,15 +136,15 @@ class InPlaceIdentifier {
   };
 
   void finish(Reason reason);
-  void survey_next();
-  void start_paths(typename StructureSearch<Real>::ValveKind kind);
+  bool work(int budget);
+  bool survey_some();
+  void after_survey();
   void take_two_path();
   void start_valve();
-  bool run_pass(int budget);
-  void find_valve(int budget);
-  void find_paths(int budget);
-  void judge_loop(int budget);
-  void explain_next(int budget);
+  void find_valve();
+  void after_paths();
+  void judge_loop();
+  void explain_next();
   void begin_weighing();
   void weigh();
   bool solve_process(int budget);
@@ -157,13 +158,13 @@ class InPlaceIdentifier {
   void look_at_margin();
   void look_at_setpoint();
   void after_ladder();
-  void look_at_rivals(int budget);
+  void after_cycle();
   void look_at_bounds();
+  void after_bounds();
   void look_beside_rung();
   void take_ladder();
   [[nodiscard]] bool nothing_sticks() const;
   void take_bands();
-  void take_stem_evidence();
   void weigh_stem();
   void search_stem();
   void confirm_stem();
@@ -175,6 +176,7 @@ class InPlaceIdentifier {
   void take_stem();
   void lay_gap();
   void start_gap();
+  bool look_for_gap(int budget);
   void take_gap();
   [[nodiscard]] std::size_t samples_before_searched() const {
     return static_cast<std::size_t>(valve().window().u.data() - u_.data());
@@ -212,7 +214,6 @@ class InPlaceIdentifier {
     struct Rivals {
       CycleMemory<Real> memory;
       BoundedStem<Real> bounded;
-      bool remembers = false;  // the memory is at work
     };
     [[no_unique_address]] std::conditional_t<kStemSearch, Rivals, LeftOut> rivals;
   };
@@ -221,7 +222,6 @@ class InPlaceIdentifier {
   [[nodiscard]] WindowSurvey<Real>& survey() {
     return *std::get_if<WindowSurvey<Real>>(&search_);
   }
-  struct NotEither {};
   using TwoPathStage = std::conditional_t<kTwoPathSearch, StructureSearch<Real>, LeftOut>;
   struct EvidenceStage {
     ClosedLoopEvidence<Real> asked;
@@ -275,13 +275,6 @@ class InPlaceIdentifier {
   [[no_unique_address]] std::conditional_t<kTwoPathSearch, StructureCandidate<Real>,
                                            LeftOut>
       two_path_;
-  // Of the same process behind a linear valve.
-  struct Linear {
-    bool known = false;
-    Real error = 0;
-    Real aic = 0;
-  };
-  [[no_unique_address]] std::conditional_t<kTwoPathSearch, Linear, NotEither> linear_;
   // One place for all, one after the other.
   std::variant<std::monostate, WindowSurvey<Real>, LadderStage, TwoPathStage, ValveStage>
       search_;

@@ -93,22 +93,33 @@ void InPlaceIdentifier<Real, Capacity>::start_gap() {
   const std::size_t used = size_ - full_rate_.delay;
   const std::span<Real> stem{valve_stage().stem.data(), used};
   const std::span<Real> simulated{scratch_.data(), used};
-  GapWindow<Real> view;
-  view.stem = stem;
-  view.y = y().last(used);
-  view.simulated = simulated;
-  view.ascending = {ascending_.data(), used};
-  view.poles = full_rate_.poles;
-  view.fit = full_rate_.fit;
-  view.period = movement_.period;
-  view.swing = movement_.swing;
-  view.observations = result_.evidence.observations;
-  view.y_step = result_.loop.y_step * kSwingOfUnit<Real>;
-  view.upright = result_.gain_sign > 0;
   if constexpr (kModelGap) {
     last_.template emplace<GapStage>();
-    gap().start(view);
+    gap().start({.stem = stem,
+                 .y = y().last(used),
+                 .simulated = simulated,
+                 .ascending = {ascending_.data(), used},
+                 .poles = full_rate_.poles,
+                 .fit = full_rate_.fit,
+                 .period = movement_.period,
+                 .swing = movement_.swing,
+                 .observations = result_.evidence.observations,
+                 .y_step = result_.loop.y_step * kSwingOfUnit<Real>,
+                 .upright = result_.gain_sign > 0});
     stage_ = Stage::kGap;
+  }
+}
+
+template <class Real, std::size_t Capacity>
+bool InPlaceIdentifier<Real, Capacity>::look_for_gap(int budget) {
+  if constexpr (kModelGap) {
+    for (int left = budget * kUnit; left > 0 && !gap().done();
+         left -= gap().cost_of_step()) {
+      gap().step();
+    }
+    return gap().done();
+  } else {
+    return true;
   }
 }
 
@@ -125,14 +136,12 @@ void InPlaceIdentifier<Real, Capacity>::take_gap() {
 template <class Real, std::size_t Capacity>
 LinearLoop<Real> InPlaceIdentifier<Real, Capacity>::linear_loop() const {
   const Real scale = scale_of_y_.factor / u_range();
-  LinearLoop<Real> loop;
-  loop.proportional = result_.controller.proportional * scale;
-  loop.integral = result_.controller.integral * scale;
-  loop.poles = full_rate_.poles;
-  loop.fit = full_rate_.fit;
-  loop.delay = static_cast<int>(full_rate_.delay);
-  loop.samples = static_cast<int>(size_ - full_rate_.delay);
-  return loop;
+  return {.proportional = result_.controller.proportional * scale,
+          .integral = result_.controller.integral * scale,
+          .poles = full_rate_.poles,
+          .fit = full_rate_.fit,
+          .delay = static_cast<int>(full_rate_.delay),
+          .samples = static_cast<int>(size_ - full_rate_.delay)};
 }
 
 // The process behind a valve that follows u; what asks for it comes next.

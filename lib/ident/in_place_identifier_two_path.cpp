@@ -9,19 +9,21 @@
 
 namespace ident {
 
-// The two-path model in the units of the recording.
+// The two-path model in the units of the recording; beside it the linear one, which the
+// search has just found.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_two_path() {
+  const StructureCandidate<Real>& linear = structure().best();
   const Real samples = static_cast<Real>(size_);
   const auto fit = [&](const auto& c) {
     return c.known ? Real(100) * (Real(1) - std::sqrt(c.error / samples)) : Real(0);
   };
   result_.fit_percent = fit(two_path_);
-  result_.fit_linear_percent = fit(linear_);
+  result_.fit_linear_percent = fit(linear);
   // Equation (8) in the units of y: the scale adds the same to both.
   const Real scale_part = samples * Real(2) * elementary::log(y_scale());
-  if (linear_.known) {
-    result_.aic_linear = linear_.aic + scale_part;
+  if (linear.known) {
+    result_.aic_linear = linear.aic + scale_part;
   }
   if (!two_path_.known) {
     return;
@@ -54,8 +56,7 @@ void InPlaceIdentifier<Real, Capacity>::simulate_two_path(std::span<Real> y) con
     std::fill(y.begin(), y.end(), scale_of_y_.resting(y_));
     return;
   }
-  simulate_paths<Real>(view, PathValve::kPaths, {}, two_path_.model, two_path_.initial,
-                       y.first(size_));
+  simulate_paths<Real>(view, {}, two_path_.model, two_path_.initial, y.first(size_));
   for (Real& value : y.first(size_)) {
     value = scale_of_y_.back(value);
   }

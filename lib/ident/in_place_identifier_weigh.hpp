@@ -31,11 +31,18 @@ void InPlaceIdentifier<Real, Capacity>::after_ladder() {
     }
     result_.evidence.ladder = closed_loop().finding();
     if (result_.oscillation.detected) {
-      ladder_stage().rivals.remembers = true;
       ladder_stage().rivals.memory.start(evidence_window(ladder_stage().sums));
-      stage_ = Stage::kRivals;
+      stage_ = Stage::kCycle;
       return;
     }
+  }
+  look_at_bounds();
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::after_cycle() {
+  if constexpr (kStemSearch) {
+    result_.evidence.cycle.nats = ladder_stage().rivals.memory.nats();
   }
   look_at_bounds();
 }
@@ -45,11 +52,19 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_at_bounds() {
   if constexpr (kStemSearch) {
     if (result_.evidence.ladder.nats > Real(0)) {
-      ladder_stage().rivals.remembers = false;
       ladder_stage().rivals.bounded.start(evidence_window(ladder_stage().sums));
-      stage_ = Stage::kRivals;
+      stage_ = Stage::kBounds;
       return;
     }
+  }
+  look_beside_rung();
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::after_bounds() {
+  if constexpr (kStemSearch) {
+    const BoundedStem<Real>& bounded = ladder_stage().rivals.bounded;
+    result_.evidence.bounded = {bounded.nats(), bounded.bound()};
   }
   look_beside_rung();
 }
@@ -98,7 +113,8 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
     if (two_path || !options_.verdict_only) {
       using Kind = typename StructureSearch<Real>::ValveKind;
       search_.template emplace<TwoPathStage>();
-      start_paths(two_path ? Kind::kTwoPath : Kind::kLinear);
+      structure().start(window(), two_path ? Kind::kTwoPath : Kind::kLinear,
+                        {scratch_.data(), size_});
       stage_ = two_path ? Stage::kTwoPath : Stage::kLinear;
       return;
     }
@@ -146,7 +162,7 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::begin_comparison() {
   const SearchWindow<Real>& search = valve().window();
   last_.template emplace<CycleComparison<Real>>(search.y, search.period);
-  comparison().add_reference(valve().pass().simulated());
+  comparison().add(valve().pass().simulated(), Real(1));
   valve().pass().simulate(chosen_);
   stage_ = Stage::kCompare;
 }
@@ -154,7 +170,7 @@ void InPlaceIdentifier<Real, Capacity>::begin_comparison() {
 // Whether the chosen valve explains nearly every cycle better, or a lucky few.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::compare_cycles() {
-  comparison().add_candidate(valve().pass().simulated());
+  comparison().add(valve().pass().simulated(), Real(-1));
   const CycleGain<Real> gain = comparison().gain();
   result_.evidence.cycles = gain.cycles;
   result_.evidence.cycles_better = gain.better;

@@ -5,6 +5,7 @@
 
 #include "ident/signal/movement.hpp"
 #include "ident/signal/reversals.hpp"
+#include "ident/two_path/path_simulation.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/statistics.hpp"
 
@@ -42,7 +43,9 @@ StemScale stem_scale(const ident::TwoPathModel<double>& model,
   std::vector<unsigned char> ascending(u.size());
   ident::mark_directions<double>(u, ident::kReversalShare * span_of(u), ascending, {});
   std::vector<double> x(u.size());
-  ident::valve_positions<double>(model, u, ascending, x);
+  for (std::size_t t = 0; t < u.size(); ++t) {
+    x[t] = ascending[t] != 0 ? model.ascending.at(u[t]) : model.descending.at(u[t]);
+  }
   const double n = static_cast<double>(x.size());
   double mean_x = 0;
   double mean_stem = 0;
@@ -74,13 +77,13 @@ StepResponse two_path_step(const Identification& result, const StemScale& scale,
       result.oscillation.detected && period > 0
           ? std::min(size, static_cast<std::size_t>(4 * period) + 8)
           : size;
-  ident::Process<double> process = result.model.process;
-  process.d = 0;
-  // free_run takes x before the first sample to equal x[0]: the step comes after it.
+  ident::TwoPathModel<double> model = result.model;
+  model.process.d = 0;
+  // Before the first sample x equals x[0]: the step comes after it.
   std::vector<double> x(longest + 1, 1 / scale.scale);
   x[0] = 0;
   std::vector<double> y(longest + 1);
-  ident::free_run<double>(process, x, {}, y);
+  ident::simulate_paths<double>({.u = {}, .y = y, .ascending = {}}, x, model, {}, y);
   StepResponse out;
   for (std::size_t i = 1; i < y.size(); ++i) {
     if (!std::isfinite(y[i])) break;

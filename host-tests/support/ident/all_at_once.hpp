@@ -10,12 +10,20 @@
 #include "ident/two_path/lagged_gram.hpp"
 #include "ident/two_path/output_error.hpp"
 #include "ident/two_path/two_path_iteration.hpp"
+#include "ident/valve/valve_pass.hpp"
 
 namespace test {
 
 template <class Work>
 void finish(Work& work) {
   while (!work.step()) {
+  }
+}
+
+template <class Real>
+void finish(ident::ValvePass<Real>& pass) {
+  while (!pass.done()) {
+    pass.step();
   }
 }
 
@@ -78,11 +86,10 @@ bool fit_linear(ident::TwoPathIteration<Real>& iteration,
 /// The error that is left.
 template <class Real>
 Real refine(ident::OutputErrorFit<Real>& fit, const ident::WindowView<Real>& window,
-            typename ident::OutputErrorFit<Real>::Valve valve,
             std::type_identity_t<std::span<const Real>> x, int max_steps,
             ident::TwoPathModel<Real>& model, ident::InitialState<Real>& initial,
             std::type_identity_t<std::span<Real>> scratch) {
-  fit.start(window, valve, x, max_steps, model, initial, scratch);
+  fit.start(window, x, max_steps, model, initial, scratch);
   while (!fit.done()) {
     fit.step();
   }

@@ -107,8 +107,8 @@ ident::TwoPathModel<double> random_model(Random& random, int segments_ascending,
 void simulate(const ident::TwoPathModel<double>& model, double noise, Random& random,
               Window& window) {
   std::vector<double> x(window.u.size());
-  ident::valve_positions<double>(model, window.u, window.ascending, x);
-  ident::free_run<double>(model.process, x, {}, window.y);
+  valve_positions<double>(model, window.u, window.ascending, x);
+  free_run<double>(model.process, x, {}, window.y);
   for (double& y : window.y) {
     y += noise * normal(random);
   }

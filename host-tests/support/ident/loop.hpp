@@ -8,6 +8,7 @@
 #include "ident/two_path/two_path_model.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 #include "support/ident/problems.hpp"
+#include "support/ident/two_path_reference.hpp"
 
 namespace test {
 

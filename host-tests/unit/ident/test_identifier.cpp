@@ -197,9 +197,9 @@ TEST(Identifier, SimulatesTheFitsThatItReports) {
   const auto& result = identifier->run(w.u, w.y, {});
   Signal simulated(w.y.size());
   identifier->simulate_two_path(simulated);
-  EXPECT_NEAR(fit_percent<double>(simulated, w.y), result.fit_percent, 1e-6);
+  EXPECT_NEAR(test::fit_percent<double>(simulated, w.y), result.fit_percent, 1e-6);
   identifier->simulate_valve(simulated);
-  EXPECT_NEAR(fit_percent<double>(simulated, w.y), result.fit_valve_percent, 1);
+  EXPECT_NEAR(test::fit_percent<double>(simulated, w.y), result.fit_valve_percent, 1);
   identifier->stem_positions(simulated);
   const double half = result.valve.friction.deadband / 2;
   for (std::size_t t = 0; t < w.u.size(); ++t) {

@@ -36,12 +36,8 @@ void LaggedGram<Real>::start(const KnotGrid<Real>& grid, const WindowView<Real>&
     column.setZero();
   }
   hat_sum_.setZero();
-  for (int i = 0; i <= kMaxNa; ++i) {
-    y_sum_[i] = 0;
-    for (int j = 0; j <= kMaxNa; ++j) {
-      yy_[i][j] = 0;
-    }
-  }
+  y_sum_ = {};
+  yy_ = {};
 }
 
 template <class Real>

@@ -118,8 +118,8 @@ class LaggedGram {
   std::array<Block, kMaxNb> hat_hat_;            // Σ_s H(s)·H(s−τ)ᵀ, all s
   std::array<Hats, kFirst + kLeads + 1> y_hat_;  // Σ_s y(s+L)·H(s), L = −kLeads …
   Hats hat_sum_;
-  Real yy_[kMaxNa + 1][kMaxNa + 1];  // lower triangle
-  Real y_sum_[kMaxNa + 1];
+  std::array<std::array<Real, kMaxNa + 1>, kMaxNa + 1> yy_;  // lower triangle
+  std::array<Real, kMaxNa + 1> y_sum_;
 };
 
 }  // namespace ident

@@ -29,13 +29,9 @@ void OutputErrorFit<Real>::read() {
   const InitialState<Real>& initial = *initial_;
   const Unknowns<Real> at(model, with_paths());
   now_.setZero(at.count());
-  for (int i = 0; i < at.na; ++i) {
-    now_(i) = model.process.a[i];
-    now_(at.initial() + i) = initial[i];
-  }
-  for (int j = 0; j < at.nb; ++j) {
-    now_(at.b() + j) = model.process.b[j];
-  }
+  std::copy_n(model.process.a.begin(), at.na, now_.data());
+  std::copy_n(initial.begin(), at.na, now_.data() + at.initial());
+  std::copy_n(model.process.b.begin(), at.nb, now_.data() + at.b());
   now_(at.d()) = model.process.d;
   if (at.paths) {
     now_(at.offset()) = model.ascending.x[0];
@@ -56,13 +52,9 @@ void OutputErrorFit<Real>::write_trial() {
   model = *model_;
   initial = *initial_;
   const Unknowns<Real> at(model, with_paths());
-  for (int i = 0; i < at.na; ++i) {
-    model.process.a[i] = next_(i);
-    initial[i] = next_(at.initial() + i);
-  }
-  for (int j = 0; j < at.nb; ++j) {
-    model.process.b[j] = next_(at.b() + j);
-  }
+  std::copy_n(next_.data(), at.na, model.process.a.begin());
+  std::copy_n(next_.data() + at.initial(), at.na, initial.begin());
+  std::copy_n(next_.data() + at.b(), at.nb, model.process.b.begin());
   model.process.d = next_(at.d());
   if (at.paths) {
     model.ascending.x[0] = next_(at.offset());
@@ -98,7 +90,7 @@ void OutputErrorFit<Real>::add_rows() {
 
 template <class Real>
 Real OutputErrorFit<Real>::position(std::ptrdiff_t t) {
-  return pass_.valve.at(window_, valve_, x_, *model_, t);
+  return pass_.valve.at(window_, x_, *model_, t);
 }
 
 template <class Real>
@@ -277,12 +269,10 @@ void OutputErrorFit<Real>::take_trial(Real error) {
 }
 
 template <class Real>
-void OutputErrorFit<Real>::start(const WindowView<Real>& window, Valve valve,
-                                 std::span<const Real> x, int max_steps,
-                                 TwoPathModel<Real>& model, InitialState<Real>& initial,
-                                 std::span<Real> scratch) {
+void OutputErrorFit<Real>::start(const WindowView<Real>& window, std::span<const Real> x,
+                                 int max_steps, TwoPathModel<Real>& model,
+                                 InitialState<Real>& initial, std::span<Real> scratch) {
   window_ = window;
-  valve_ = valve;
   x_ = x;
   model_ = &model;
   initial_ = &initial;
@@ -301,7 +291,7 @@ template <class Real>
 void OutputErrorFit<Real>::begin_simulation(Stage stage, const TwoPathModel<Real>& model,
                                             const InitialState<Real>& initial) {
   stage_ = stage;
-  simulation_.start(window_, valve_, x_, model, initial, scratch_);
+  simulation_.start(window_, x_, model, initial, scratch_);
 }
 
 // The trial was no good: a shorter step, if there is one.

@@ -27,14 +27,12 @@ namespace ident {
 template <class Real>
 class OutputErrorFit {
  public:
-  /// What is estimated beside the process and its initial state: both paths, or nothing.
-  using Valve = PathValve;
-
   /// Begins to refine `model` and `initial` on the window, in at most `max_steps` steps.
-  /// With Valve::kFixed the valve position is `x` (length N) and the model's paths are
-  /// not touched. `scratch` has length N. Everything must outlive the work.
-  void start(const WindowView<Real>& window, Valve valve, std::span<const Real> x,
-             int max_steps, TwoPathModel<Real>& model, InitialState<Real>& initial,
+  /// Where the valve position `x` is given (length N) the model's paths are not touched;
+  /// where it is empty they are estimated, too. `scratch` has length N. Everything must
+  /// outlive the work.
+  void start(const WindowView<Real>& window, std::span<const Real> x, int max_steps,
+             TwoPathModel<Real>& model, InitialState<Real>& initial,
              std::span<Real> scratch);
   /// A part of a simulation or of the equations, or one least-squares problem. Returns
   /// its cost, as StructureSearch counts it.
@@ -94,7 +92,7 @@ class OutputErrorFit {
   [[nodiscard]] HatPair<Real> pair_at(std::ptrdiff_t t) const;
   void read();
   void write_trial();
-  [[nodiscard]] bool with_paths() const { return valve_ == Valve::kPaths; }
+  [[nodiscard]] bool with_paths() const { return x_.empty(); }
 
   WindowView<Real> window_;
   std::span<const Real> x_;
@@ -103,7 +101,6 @@ class OutputErrorFit {
   InitialState<Real>* initial_ = nullptr;
   TwoPathModel<Real> trial_;
   InitialState<Real> trial_initial_{};
-  Valve valve_ = Valve::kPaths;
   Stage stage_ = Stage::kDone;
   int steps_left_ = 0;
   Real damping_ = 0;

@@ -23,10 +23,9 @@ Real PathFollower<Real>::along(const Path<Real>& path, Real u, int& segment) {
 }
 
 template <class Real>
-Real PathFollower<Real>::at(const WindowView<Real>& window, PathValve valve,
-                            std::span<const Real> x, const TwoPathModel<Real>& model,
-                            std::ptrdiff_t t) {
-  if (valve == PathValve::kFixed) {
+Real PathFollower<Real>::at(const WindowView<Real>& window, std::span<const Real> x,
+                            const TwoPathModel<Real>& model, std::ptrdiff_t t) {
+  if (!x.empty()) {
     return x[t];
   }
   return window.ascending[t] ? along(model.ascending, window.u[t], ascending_)
@@ -34,18 +33,17 @@ Real PathFollower<Real>::at(const WindowView<Real>& window, PathValve valve,
 }
 
 template <class Real>
-void PathSimulation<Real>::start(const WindowView<Real>& window, PathValve valve,
-                                 std::span<const Real> x, const TwoPathModel<Real>& model,
+void PathSimulation<Real>::start(const WindowView<Real>& window, std::span<const Real> x,
+                                 const TwoPathModel<Real>& model,
                                  const InitialState<Real>& initial,
                                  std::span<Real> simulated) {
   window_ = window;
-  valve_ = valve;
   x_ = x;
   model_ = &model;
   initial_ = &initial;
   simulated_ = simulated;
   follower_ = {};
-  past_.fill(follower_.at(window_, valve_, x_, *model_, 0));
+  past_.fill(follower_.at(window_, x_, *model_, 0));
   next_ = 0;
   error_ = 0;
 }
@@ -69,27 +67,27 @@ bool PathSimulation<Real>::step(int samples) {
     simulated_[t] = sum;
     const Real e = window_.y[t] - sum;
     error_ += e * e;
-    past_.push(follower_.at(window_, valve_, x_, *model_, t));
+    past_.push(follower_.at(window_, x_, *model_, t));
   }
   next_ = t;
   return next_ == n;
 }
 
 template <class Real>
-Real simulate_paths(const WindowView<Real>& window, PathValve valve,
-                    std::span<const Real> x, const TwoPathModel<Real>& model,
-                    const InitialState<Real>& initial, std::span<Real> simulated) {
+Real simulate_paths(const WindowView<Real>& window, std::span<const Real> x,
+                    const TwoPathModel<Real>& model, const InitialState<Real>& initial,
+                    std::span<Real> simulated) {
   PathSimulation<Real> simulation;
-  simulation.start(window, valve, x, model, initial, simulated);
+  simulation.start(window, x, model, initial, simulated);
   simulation.step(static_cast<int>(window.y.size()));
   return simulation.error();
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                                    \
-  template class PathFollower<Real>;                                                   \
-  template class PathSimulation<Real>;                                                 \
-  template Real simulate_paths<Real>(const WindowView<Real>&, PathValve,               \
-                                     std::span<const Real>, const TwoPathModel<Real>&, \
+#define STICKBAND_INSTANTIATE(Real)                                                  \
+  template class PathFollower<Real>;                                                 \
+  template class PathSimulation<Real>;                                               \
+  template Real simulate_paths<Real>(const WindowView<Real>&, std::span<const Real>, \
+                                     const TwoPathModel<Real>&,                      \
                                      const InitialState<Real>&, std::span<Real>);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

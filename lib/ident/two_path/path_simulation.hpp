@@ -15,12 +15,6 @@ namespace ident {
 template <class Real>
 using InitialState = std::array<Real, kMaxNa>;
 
-/// What the process is driven by.
-enum class PathValve : unsigned char {
-  kPaths,  ///< both paths of the model, at their knots
-  kFixed,  ///< nothing of the model: x is given
-};
-
 /// The last kMaxNk + kMaxNb values of a signal.
 template <class Value>
 class PastValues {
@@ -47,10 +41,9 @@ class PastValues {
 template <class Real>
 class PathFollower {
  public:
-  /// As Path::at for the path of the sample's direction, or `x` for PathValve::kFixed.
-  [[nodiscard]] Real at(const WindowView<Real>& window, PathValve valve,
-                        std::span<const Real> x, const TwoPathModel<Real>& model,
-                        std::ptrdiff_t t);
+  /// x[t], or, where x is empty, as Path::at for the path of the sample's direction.
+  [[nodiscard]] Real at(const WindowView<Real>& window, std::span<const Real> x,
+                        const TwoPathModel<Real>& model, std::ptrdiff_t t);
 
  private:
   static Real along(const Path<Real>& path, Real u, int& segment);
@@ -69,10 +62,11 @@ inline constexpr int kCostOfSimulated = 62;
 template <class Real>
 class PathSimulation {
  public:
-  /// `x` has the length of the window with PathValve::kFixed, else it may be empty.
-  /// `simulated` has that length too. Before the first sample x kept its first value.
+  /// `x`, the valve position, has the length of the window; empty: both paths of the
+  /// model make it. `simulated` has that length too. Before the first sample x kept its
+  /// first value.
   /// Everything must outlive the work.
-  void start(const WindowView<Real>& window, PathValve valve, std::span<const Real> x,
+  void start(const WindowView<Real>& window, std::span<const Real> x,
              const TwoPathModel<Real>& model, const InitialState<Real>& initial,
              std::span<Real> simulated);
   /// At most `samples` ≥ 1 samples more; true when done.
@@ -90,13 +84,12 @@ class PathSimulation {
   PastValues<Real> past_;
   std::ptrdiff_t next_ = 0;
   Real error_ = 0;
-  PathValve valve_ = PathValve::kPaths;
 };
 
 /// All at once: Σ(y − ŷ)² of a free simulation, ŷ left in `simulated`.
 template <class Real>
-Real simulate_paths(const WindowView<Real>& window, PathValve valve,
-                    std::span<const Real> x, const TwoPathModel<Real>& model,
-                    const InitialState<Real>& initial, std::span<Real> simulated);
+Real simulate_paths(const WindowView<Real>& window, std::span<const Real> x,
+                    const TwoPathModel<Real>& model, const InitialState<Real>& initial,
+                    std::span<Real> simulated);
 
 }  // namespace ident

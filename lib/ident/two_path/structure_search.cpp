@@ -139,12 +139,10 @@ void StructureSearch<Real>::begin_simulation() {
   for (int k = 0; k < structure_.na; ++k) {
     const WindowView<Real> head{window_.u.first(k + 1), window_.y.first(k + 1),
                                 window_.ascending.first(k + 1)};
-    simulate_paths<Real>(head, PathValve::kPaths, {}, trial_.model, trial_.initial,
-                         scratch_);
+    simulate_paths<Real>(head, {}, trial_.model, trial_.initial, scratch_);
     trial_.initial[k] += window_.y[k] - scratch_[k];
   }
-  sweep().simulation.start(window_, PathValve::kPaths, {}, trial_.model, trial_.initial,
-                           scratch_);
+  sweep().simulation.start(window_, {}, trial_.model, trial_.initial, scratch_);
   sweeping_ = Sweeping::kSimulate;
 }
 
@@ -325,8 +323,8 @@ void StructureSearch<Real>::next_refinement() {
     }
   }
   if (refining_) {
-    output_error().start(window_, linear() ? PathValve::kFixed : PathValve::kPaths,
-                         window_.u, kRefineSteps, trial_.model, trial_.initial, scratch_);
+    output_error().start(window_, linear() ? window_.u : std::span<const Real>(),
+                         kRefineSteps, trial_.model, trial_.initial, scratch_);
   }
 }
 

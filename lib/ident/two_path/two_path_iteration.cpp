@@ -1,5 +1,6 @@
 #include "ident/two_path/two_path_iteration.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ident/two_path/step_layout.hpp"
@@ -176,32 +177,37 @@ bool TwoPathIteration<Real>::solve_process(Process<Real>& process) {
   const int na = process.na;
   const int nb = process.nb;
   nnls_.solve(normal_, rhs_, 0, solution_);
-  for (int i = 0; i < na; ++i) {
-    process.a[i] = solution_(i);
-  }
-  for (int j = 0; j < nb; ++j) {
-    process.b[j] = solution_(na + j);
-  }
+  std::copy_n(solution_.data(), na, process.a.begin());
+  std::copy_n(solution_.data() + na, nb, process.b.begin());
   process.d = solution_(na + nb);
   return solution_.allFinite();
+}
+
+template <class Real>
+void TwoPathIteration<Real>::begin(const LaggedGram<Real>& gram,
+                                   const Structure& structure,
+                                   TwoPathModel<Real>& model) {
+  gram_ = &gram;
+  model_ = &model;
+  structure_ = structure;
+  model.process = {};
+  model.process.na = structure.na;
+  model.process.nb = structure.nb;
+  model.process.nk = structure.nk;
+  model.ascending = gram.grid().ascending;
+  model.descending = gram.grid().descending;
+  solved_ = false;
 }
 
 template <class Real>
 void TwoPathIteration<Real>::start(const LaggedGram<Real>& gram,
                                    const Structure& structure,
                                    TwoPathModel<Real>& model) {
-  gram_ = &gram;
-  model_ = &model;
-  structure_ = structure;
-  Process<Real>& process = model.process;
-  process = {};
-  process.na = structure.na;
-  process.nb = structure.nb;
-  process.nk = structure.nk;
-  process.b[0] = 1;  // Step 1
+  begin(gram, structure, model);
+  model.process.b[0] = 1;  // Step 1
   slopes_.setZero(2 + structure.segments_ascending + structure.segments_descending);
   iteration_ = 0;
-  linear_ = solved_ = false;
+  linear_ = false;
   part_ = Part::kSums;
 }
 
@@ -315,14 +321,10 @@ int TwoPathIteration<Real>::cost_of_step() const {
 template <class Real>
 void TwoPathIteration<Real>::finish() {
   TwoPathModel<Real>& model = *model_;
-  model.ascending = gram_->grid().ascending;
-  model.descending = gram_->grid().descending;
-  for (int i = 0; i <= model.ascending.segments; ++i) {
-    model.ascending.x[i] = x_(i);
-  }
-  for (int i = 0; i <= model.descending.segments; ++i) {
-    model.descending.x[i] = x_(model.ascending.segments + 1 + i);
-  }
+  const int ascending = model.ascending.segments + 1;
+  std::copy_n(x_.data(), ascending, model.ascending.x.begin());
+  std::copy_n(x_.data() + ascending, model.descending.segments + 1,
+              model.descending.x.begin());
   solved_ = x_.allFinite();
 }
 
@@ -330,26 +332,16 @@ template <class Real>
 void TwoPathIteration<Real>::start_linear(const LaggedGram<Real>& gram,
                                           const Structure& structure,
                                           TwoPathModel<Real>& model) {
-  gram_ = &gram;
-  model_ = &model;
-  model.process = {};
-  model.process.na = structure.na;
-  model.process.nb = structure.nb;
-  model.process.nk = structure.nk;
-  model.ascending = gram.grid().ascending;
-  model.descending = gram.grid().descending;
+  begin(gram, structure, model);
   model.ascending.x = model.ascending.knots;
   model.descending.x = model.descending.knots;
   x_.resize(gram.grid().hats());
-  for (int i = 0; i <= model.ascending.segments; ++i) {
-    x_(i) = model.ascending.x[i];
-  }
-  for (int i = 0; i <= model.descending.segments; ++i) {
-    x_(model.ascending.segments + 1 + i) = model.descending.x[i];
-  }
+  const int ascending = model.ascending.segments + 1;
+  std::copy_n(model.ascending.x.begin(), ascending, x_.data());
+  std::copy_n(model.descending.x.begin(), model.descending.segments + 1,
+              x_.data() + ascending);
   begin_process(gram, model.process);
   linear_ = true;
-  solved_ = false;
   part_ = Part::kInputs;
 }
 

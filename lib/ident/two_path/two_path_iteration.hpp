@@ -53,6 +53,8 @@ class TwoPathIteration {
  private:
   enum class Part : unsigned char { kSums, kPaths, kInputs, kProcess, kDone };
 
+  void begin(const LaggedGram<Real>& gram, const Structure& structure,
+             TwoPathModel<Real>& model);
   bool normalise(Process<Real>& process);
   [[nodiscard]] bool settled(const Process<Real>& process) const;
   void finish();

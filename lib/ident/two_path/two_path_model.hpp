@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "ident/base/limits.hpp"
 
@@ -54,22 +53,5 @@ struct TwoPathModel {
 /// `margin` (step-down recursion, Schur–Cohn). Cost: na² operations.
 template <class Real>
 [[nodiscard]] bool is_stable(const Process<Real>& process, Real margin = Real(1e-6));
-
-/// Free simulation from x alone, equation (8): no measured output is fed back.
-/// `initial` holds the na additions to the first samples that stand for what the
-/// process remembered at the start (all zero: at rest). x and y have equal length.
-/// Cost: N·(na + nb) multiplications.
-template <class Real>
-void free_run(const Process<Real>& process, std::span<const Real> x,
-              std::span<const Real> initial, std::span<Real> y);
-
-/// The valve position x(t) = f(u(t)), equation (2), by the direction of each sample.
-template <class Real>
-void valve_positions(const TwoPathModel<Real>& model, std::span<const Real> u,
-                     std::span<const unsigned char> ascending, std::span<Real> x);
-
-/// Fit of equation (23) in percent, −∞ … 100; 0 when y is constant.
-template <class Real>
-[[nodiscard]] Real fit_percent(std::span<const Real> simulated, std::span<const Real> y);
 
 }  // namespace ident

@@ -33,16 +33,13 @@ class CycleComparison {
 
   /// `period` in samples, above 0.
   CycleComparison(std::span<const Real> y, Real period);
-  /// The model to beat. Cost: one pass.
-  void add_reference(std::span<const Real> simulated) { add(simulated, Real(1)); }
-  /// The model that may be better. Cost: one pass.
-  void add_candidate(std::span<const Real> simulated) { add(simulated, Real(-1)); }
+  /// One of the two models; `weight`: 1 for the one to beat, −1 for the one that may be
+  /// better. Cost: one pass.
+  void add(std::span<const Real> simulated, Real weight);
   /// Meaningful once each was added.
   [[nodiscard]] CycleGain<Real> gain() const;
 
  private:
-  void add(std::span<const Real> simulated, Real weight);
-
   std::span<const Real> y_;
   int count_;
   std::array<Real, kMost> gains_{};  // Σ e² of the reference less that of the candidate

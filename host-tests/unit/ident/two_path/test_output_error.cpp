@@ -57,32 +57,31 @@ std::vector<double*> unknowns(TwoPathModel<double>& model,
   return out;
 }
 
-Eigen::VectorXd simulated(const test::Window& w, ErrorFit::Valve valve,
-                          const std::vector<double>& x, const TwoPathModel<double>& model,
+Eigen::VectorXd simulated(const test::Window& w, const std::vector<double>& x,
+                          const TwoPathModel<double>& model,
                           const InitialState<double>& initial) {
   std::vector<double> y(w.u.size());
-  simulate_paths<double>(w.view(), valve, x, model, initial, y);
+  simulate_paths<double>(w.view(), x, model, initial, y);
   return Eigen::Map<Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
 }
 
 // ∂ŷ/∂θ by central differences: process, initial state, κ, increments.
-Eigen::MatrixXd jacobian(const test::Window& w, ErrorFit::Valve valve,
-                         const std::vector<double>& x, TwoPathModel<double> model,
-                         InitialState<double> initial) {
+Eigen::MatrixXd jacobian(const test::Window& w, const std::vector<double>& x,
+                         TwoPathModel<double> model, InitialState<double> initial) {
   const double step = 1e-5;
   std::vector<Eigen::VectorXd> columns;
   const auto difference = [&](const std::function<void(double)>& move) {
     move(step);
-    const Eigen::VectorXd up = simulated(w, valve, x, model, initial);
+    const Eigen::VectorXd up = simulated(w, x, model, initial);
     move(-2 * step);
-    const Eigen::VectorXd down = simulated(w, valve, x, model, initial);
+    const Eigen::VectorXd down = simulated(w, x, model, initial);
     move(step);
     columns.push_back((up - down) / (2 * step));
   };
   for (double* value : unknowns(model, initial)) {
     difference([&](double by) { *value += by; });
   }
-  if (valve == ErrorFit::Valve::kPaths) {
+  if (x.empty()) {
     const auto raise = [](Path<double>& path, int from, double by) {
       for (int i = from; i <= path.segments; ++i) {
         path.x[i] += by;
@@ -109,7 +108,8 @@ struct Case {
   std::vector<double> x;
 };
 
-Case any_case(Random& random) {
+// With both paths of the model, or a valve position that is given.
+Case any_case(Random& random, bool paths) {
   Case c;
   c.window = test::random_window(random, 80);
   const int na = 1 + static_cast<int>(random() % kMaxNa);
@@ -121,12 +121,12 @@ Case any_case(Random& random) {
     c.initial[i] = test::normal(random);
   }
   for (const double u : c.window.u) {
-    c.x.push_back(u * u);
+    if (!paths) c.x.push_back(u * u);
   }
   return c;
 }
 
-class OutputError : public testing::TestWithParam<ErrorFit::Valve> {
+class OutputError : public testing::TestWithParam<bool> {
  protected:
   ErrorFit fit_;
 };
@@ -135,15 +135,14 @@ TEST_P(OutputError, NormalEquationsAreThoseOfFiniteDifferences) {
   Random random(23);
   for (int k = 0; k < 60; ++k) {
     SCOPED_TRACE(k);
-    const Case c = any_case(random);
-    const Eigen::VectorXd y_model =
-        simulated(c.window, GetParam(), c.x, c.model, c.initial);
+    const Case c = any_case(random, GetParam());
+    const Eigen::VectorXd y_model = simulated(c.window, c.x, c.model, c.initial);
     TwoPathModel<double> model = c.model;
     InitialState<double> initial = c.initial;
     std::vector<double> y(c.window.u.size());
     // Up to the equations of the first step, which start from no samples.
     ErrorFit fit;
-    fit.start(c.window.view(), GetParam(), c.x, 1, model, initial, y);
+    fit.start(c.window.view(), c.x, 1, model, initial, y);
     while (fit.step(), (fit.*reach(test::Hessian{})).size() == 0) {
     }
     const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(y.size());
@@ -151,7 +150,7 @@ TEST_P(OutputError, NormalEquationsAreThoseOfFiniteDifferences) {
       (fit.*reach(test::AddSamples{}))(std::min(some + 7, end));
     }
     (fit.*reach(test::FinishPass{}))();
-    const Eigen::MatrixXd j = jacobian(c.window, GetParam(), c.x, c.model, c.initial);
+    const Eigen::MatrixXd j = jacobian(c.window, c.x, c.model, c.initial);
     const Eigen::MatrixXd hessian = j.transpose() * j;
     const Eigen::VectorXd e =
         Eigen::Map<const Eigen::VectorXd>(c.window.y.data(), y_model.size()) - y_model;
@@ -180,24 +179,22 @@ TEST_P(OutputError, RecoversAKnownModelFromNoiseFreeData) {
   Random random(24);
   int recovered = 0;
   for (int k = 0; k < 30; ++k) {
-    Case c = any_case(random);
-    const Eigen::VectorXd y = simulated(c.window, GetParam(), c.x, c.model, c.initial);
+    Case c = any_case(random, GetParam());
+    const Eigen::VectorXd y = simulated(c.window, c.x, c.model, c.initial);
     c.window.y.assign(y.data(), y.data() + y.size());
     TwoPathModel<double> model = c.model;
     InitialState<double> initial = c.initial;
     for (double* value : unknowns(model, initial)) {
       *value *= test::uniform(random, 0.97, 1.03);
     }
-    for (int i = 1;
-         GetParam() == ErrorFit::Valve::kPaths && i <= model.ascending.segments; ++i) {
+    for (int i = 1; GetParam() && i <= model.ascending.segments; ++i) {
       model.ascending.x[i] += 0.02 * i;
     }
     std::vector<double> scratch(c.window.u.size());
-    double error =
-        simulate_paths<double>(c.window.view(), GetParam(), c.x, model, initial, scratch);
+    double error = simulate_paths<double>(c.window.view(), c.x, model, initial, scratch);
     for (int round = 0; round < 5; ++round) {
-      const double now = test::refine(fit_, c.window.view(), GetParam(), c.x, 40, model,
-                                      initial, scratch);
+      const double now =
+          test::refine(fit_, c.window.view(), c.x, 40, model, initial, scratch);
       EXPECT_LE(now, error);
       error = now;
     }
@@ -209,7 +206,7 @@ TEST_P(OutputError, RecoversAKnownModelFromNoiseFreeData) {
 TEST_P(OutputError, IsNeverUnstableNorWorseThanItsStart) {
   Random random(25);
   for (int k = 0; k < 100; ++k) {
-    Case c = any_case(random);
+    Case c = any_case(random, GetParam());
     if (k % 2 == 0) {
       // A slow pole and data that grow: the fit would like to leave the unit circle.
       c.model.process = test::random_process(random, 1, 1, 0);
@@ -219,27 +216,24 @@ TEST_P(OutputError, IsNeverUnstableNorWorseThanItsStart) {
       }
     }
     std::vector<double> scratch(c.window.u.size());
-    const double start = simulate_paths<double>(c.window.view(), GetParam(), c.x, c.model,
-                                                c.initial, scratch);
-    const double end = test::refine(fit_, c.window.view(), GetParam(), c.x, 15, c.model,
-                                    c.initial, scratch);
+    const double start =
+        simulate_paths<double>(c.window.view(), c.x, c.model, c.initial, scratch);
+    const double end =
+        test::refine(fit_, c.window.view(), c.x, 15, c.model, c.initial, scratch);
     EXPECT_LE(end, start) << k;
     EXPECT_TRUE(is_stable(c.model.process)) << k;
     // The scratch holds the output of the model that came out.
-    const Eigen::VectorXd y = simulated(c.window, GetParam(), c.x, c.model, c.initial);
+    const Eigen::VectorXd y = simulated(c.window, c.x, c.model, c.initial);
     for (std::size_t t = 0; t < scratch.size(); ++t) {
       ASSERT_EQ(scratch[t], y(static_cast<Eigen::Index>(t)));
     }
-    for (int i = 0;
-         GetParam() == ErrorFit::Valve::kPaths && i < c.model.ascending.segments; ++i) {
+    for (int i = 0; GetParam() && i < c.model.ascending.segments; ++i) {
       EXPECT_LE(c.model.ascending.x[i], c.model.ascending.x[i + 1]);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Valves, OutputError,
-                         testing::Values(ErrorFit::Valve::kPaths,
-                                         ErrorFit::Valve::kFixed));
+INSTANTIATE_TEST_SUITE_P(Valves, OutputError, testing::Bool());
 
 // The same refinement in both precisions from the same start: the error found in float is
 // within 1 % of the one found in double (noise is a tenth of y; sums of 400 products).
@@ -275,11 +269,10 @@ TEST(OutputErrorFloat, ReachesTheErrorOfDouble) {
     InitialState<float> initial_float{};
     std::vector<double> scratch(400);
     std::vector<float> scratch_float(400);
-    const double error = test::refine(fit_double, w.view(), ErrorFit::Valve::kPaths, {},
-                                      30, model, initial, scratch);
-    const float error_float =
-        test::refine(fit_float, wf.view(), OutputErrorFit<float>::Valve::kPaths, {}, 30,
-                     model_float, initial_float, scratch_float);
+    const double error =
+        test::refine(fit_double, w.view(), {}, 30, model, initial, scratch);
+    const float error_float = test::refine(fit_float, wf.view(), {}, 30, model_float,
+                                           initial_float, scratch_float);
     EXPECT_NEAR(static_cast<double>(error_float), error, 0.01 * error) << k;
   }
 }

@@ -21,8 +21,8 @@ TEST(PathSimulation, FollowsTheHandWorkedSequence) {
   model.process.a = {-0.5};
   model.process.b = {1};
   std::vector<double> y(3);
-  const double error = simulate_paths<double>(
-      w.view(), PathValve::kFixed, std::vector<double>{1, 2, 3}, model, {4}, y);
+  const double error =
+      simulate_paths<double>(w.view(), std::vector<double>{1, 2, 3}, model, {4}, y);
   EXPECT_EQ(y, (std::vector<double>{5, 3.5, 3.75}));
   EXPECT_DOUBLE_EQ(error, 0.25 + 0.5625);
 }
@@ -43,7 +43,7 @@ class PathSimulationOfRandomModels : public testing::Test {
   }
   [[nodiscard]] std::vector<double> at_once() const {
     std::vector<double> y(window_.u.size());
-    simulate_paths<double>(window_.view(), PathValve::kPaths, {}, model_, initial_, y);
+    simulate_paths<double>(window_.view(), {}, model_, initial_, y);
     return y;
   }
 
@@ -59,8 +59,8 @@ TEST_F(PathSimulationOfRandomModels, IsAFreeRun) {
     draw(random);
     std::vector<double> x(window_.u.size());
     std::vector<double> y(window_.u.size());
-    valve_positions<double>(model_, window_.u, window_.ascending, x);
-    free_run<double>(
+    test::valve_positions<double>(model_, window_.u, window_.ascending, x);
+    test::free_run<double>(
         model_.process, x,
         std::span(initial_).first(static_cast<std::size_t>(model_.process.na)), y);
     const std::vector<double> found = at_once();
@@ -77,7 +77,7 @@ TEST_F(PathSimulationOfRandomModels, IsTheSameInPieces) {
     const std::vector<double> whole = at_once();
     std::vector<double> y(whole.size());
     PathSimulation<double> simulation;
-    simulation.start(window_.view(), PathValve::kPaths, {}, model_, initial_, y);
+    simulation.start(window_.view(), {}, model_, initial_, y);
     double error = 0;
     while (!simulation.step(piece)) {
     }

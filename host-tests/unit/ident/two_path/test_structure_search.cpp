@@ -163,7 +163,7 @@ TEST(StructureSearch, OfALinearValveFindsALinearOne) {
   p.nk = 2;
   p.a = {-1.5, 0.56};
   p.b[0] = 1;
-  free_run<double>(p, w.u, {}, w.y);
+  test::free_run<double>(p, w.u, {}, w.y);
   scale(w);
   const Found linear = search(w, Kind::kLinear);
   ASSERT_TRUE(linear.best.known);

@@ -14,9 +14,9 @@ using test::Random;
 double fit_of(const TwoPathModel<double>& model, const test::Window& w) {
   std::vector<double> x(w.u.size());
   std::vector<double> y(w.u.size());
-  valve_positions<double>(model, w.u, w.ascending, x);
-  free_run<double>(model.process, x, {}, y);
-  return fit_percent<double>(y, w.y);
+  test::valve_positions<double>(model, w.u, w.ascending, x);
+  test::free_run<double>(model.process, x, {}, y);
+  return test::fit_percent<double>(y, w.y);
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 
 #include "ident/two_path/two_path_model.hpp"
 #include "support/ident/problems.hpp"
+#include "support/ident/two_path_reference.hpp"
 
 namespace ident {
 namespace {
@@ -52,7 +53,7 @@ TEST(FreeRun, FollowsTheHandWorkedSequence) {
   const auto p = process_of({-0.5}, {2, 1}, 1, 0.25);
   const Values x{1, 0, 0, 0, 0, 0};
   Values y(6);
-  free_run<double>(p, x, {}, y);
+  test::free_run<double>(p, x, {}, y);
   // t=0: 3 + .25; t=1: 1.625 + 3.25; t=2: x(0)·2 + x(0)·1; t=3: x(1)·2 + x(0)·1; …
   const Values expected{3.25, 4.875, 5.6875, 4.09375, 2.296875, 1.3984375};
   for (std::size_t t = 0; t < y.size(); ++t) {
@@ -67,7 +68,7 @@ TEST(FreeRun, AddsTheInitialState) {
   const Values x(5, 0.0);
   const Values initial{1, -1};
   Values y(5);
-  free_run<double>(p, x, initial, y);
+  test::free_run<double>(p, x, initial, y);
   EXPECT_EQ(y, (Values{1, 0, -0.5, -0.5, -0.25}));
 }
 
@@ -75,7 +76,7 @@ TEST(FreeRun, SettlesAtTheSteadyGain) {
   const auto p = process_of({-0.5, 0.1}, {0.3, 0.3}, 3, 0.6);
   const Values x(200, 2.0);
   Values y(200);
-  free_run<double>(p, x, {}, y);
+  test::free_run<double>(p, x, {}, y);
   EXPECT_NEAR(y.back(), (0.6 * 2 + 0.6) / 0.6, 1e-12);
 }
 
@@ -98,8 +99,8 @@ TEST(FreeRun, InFloatStaysWithinRounding) {
   const std::vector<float> xf = test::as<float>(x);
   Values y(x.size());
   std::vector<float> yf(x.size());
-  free_run<double>(p, x, {}, y);
-  free_run<float>(pf, xf, {}, yf);
+  test::free_run<double>(p, x, {}, y);
+  test::free_run<float>(pf, xf, {}, yf);
   // About ten roundings of |y| ≲ 5 a sample, amplified by Σ|h| ≈ 10.
   for (std::size_t t = 0; t < y.size(); ++t) {
     ASSERT_NEAR(y[t], static_cast<double>(yf[t]), 10 * 10 * 5 * 6e-8) << t;
@@ -155,33 +156,6 @@ TEST(IsStable, AgreesWithTheEigenvaluesOfTheCompanionMatrix) {
     stable += found ? 1 : 0;
   }
   EXPECT_GT(stable, 2000);
-}
-
-TEST(ValvePositions, TakeThePathOfEachSample) {
-  TwoPathModel<double> model;
-  model.ascending.knots = {0, 1};
-  model.ascending.x = {0, 10};
-  model.descending.knots = {0, 1};
-  model.descending.x = {5, 15};
-  const Values u{0.5, 0.5, 2};
-  const std::vector<unsigned char> ascending{1, 0, 0};
-  Values x(3);
-  valve_positions<double>(model, u, ascending, x);
-  EXPECT_EQ(x, (Values{5, 10, 15}));
-}
-
-// y = 1 2 3 4 5: spread about 3 is √10. An error of 1 everywhere is √5.
-TEST(FitPercent, FollowsEquation23) {
-  const Values y{1, 2, 3, 4, 5};
-  EXPECT_DOUBLE_EQ(fit_percent<double>(y, y), 100);
-  EXPECT_DOUBLE_EQ(fit_percent<double>(Values{2, 3, 4, 5, 6}, y),
-                   100 * (1 - std::sqrt(0.5)));
-  EXPECT_DOUBLE_EQ(fit_percent<double>(Values(5, 3.0), y), 0);
-  EXPECT_DOUBLE_EQ(fit_percent<double>(Values{5, 4, 3, 2, 1}, y), -100);
-}
-
-TEST(FitPercent, OfAConstantIsZero) {
-  EXPECT_EQ(fit_percent<double>(Values{1, 2}, Values{3, 3}), 0);
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ TEST(IndependentObservations, BearsAPerfectSimulation) {
 CycleGain<double> compare(const Signal& y, double period, const Signal& reference,
                           const Signal& candidate) {
   CycleComparison<double> comparison(y, period);
-  comparison.add_reference(reference);
-  comparison.add_candidate(candidate);
+  comparison.add(reference, 1);
+  comparison.add(candidate, -1);
   return comparison.gain();
 }
 
@@ -101,8 +101,8 @@ TEST(CycleComparison, SeesNothingInTheSameModelTwice) {
 TEST(CycleComparison, IsTheSameInFloat) {
   const std::vector<float> y(8, 0.0f);
   CycleComparison<float> comparison(y, 2.0f);
-  comparison.add_reference(std::vector<float>{1, 1, 2, 2, 1, 1, 1, 1});
-  comparison.add_candidate(y);
+  comparison.add(std::vector<float>{1, 1, 2, 2, 1, 1, 1, 1}, 1);
+  comparison.add(y, -1);
   const auto gain = comparison.gain();
   EXPECT_EQ(gain.better, 4);
   // 2, 8, 2, 2: mean 3.5, variance 9.
