@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
+#include "ident/base/elementary.hpp"
 #include "ident/base/limits.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 
@@ -21,10 +23,17 @@ inline constexpr int kLadderValves = kRungs * kSlips;
 
 /// Stick band of a rung 0 … kRungs − 1, in the unit of `span`. Constant time.
 template <class Real>
-[[nodiscard]] Real rung_band(int rung, Real span);
+[[nodiscard]] Real rung_band(int rung, Real span) {
+  return span * Real(kLowestRung) *
+         elementary::pow(Real(kRungRatio), static_cast<Real>(rung));
+}
 
 /// The symmetric valve of a rung and of a slip 0 … kSlips − 1; it slides until u turns.
 template <class Real>
-[[nodiscard]] ValveFriction<Real> rung_valve(int rung, int slip, Real span);
+[[nodiscard]] ValveFriction<Real> rung_valve(int rung, int slip, Real span) {
+  const Real band = rung_band(rung, span);
+  const Real jump = band * Real(kSlipShares[static_cast<std::size_t>(slip)]);
+  return {band - jump, jump, jump, SlipMotion::kSlides};
+}
 
 }  // namespace ident

@@ -39,17 +39,6 @@ void BoundedStem<Real>::begin_sums(std::span<const LagBin> bins) {
 }
 
 template <class Real>
-void BoundedStem<Real>::thin() {
-  y_ = window_.y.first(count_);
-  if (thinning_ > 1) {
-    const std::span<Real> thinned = window_.scratch.last(count_);
-    thin_out(window_.y, thinning_, thinned);
-    y_ = thinned;
-  }
-  stage_ = Stage::kOutput;
-}
-
-template <class Real>
 void BoundedStem<Real>::bound_by(int stem) {
   const auto [low, high] = std::minmax_element(window_.u.begin(), window_.u.end());
   low_ = *low;
@@ -151,7 +140,8 @@ template <class Real>
 int BoundedStem<Real>::piece() {
   switch (stage_) {
     case Stage::kThin:
-      thin();
+      y_ = thin_out(window_.y, thinning_, window_.scratch.last(count_));
+      stage_ = Stage::kOutput;
       break;
     case Stage::kLay:
       lay();
@@ -160,8 +150,7 @@ int BoundedStem<Real>::piece() {
     case Stage::kInput: {
       const bool output = stage_ == Stage::kOutput;
       const std::size_t end = std::min(next_ + kRows, count_);
-      output ? sums().add_output(y_, next_, end)
-             : sums().add_input(y_, stem(), next_, end);
+      sums().add(y_, output ? std::span<const Real>() : stem(), next_, end);
       next_ = end;
       if (next_ == count_) {
         output ? lay() : take_error();

@@ -46,7 +46,6 @@ class BoundedStem {
   static constexpr int kSpeeds = 10;  // stems 1 … kSpeeds; behind them those with ends
 
   int piece();
-  void thin();
   void begin_sums(std::span<const LagBin> bins);
   void lay();
   void bound_by(int stem);

@@ -88,7 +88,6 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
       last_rung_ = rung;
     }
   }
-  y_ = window.y.first(count_);
   stage_ = Stage::kThin;
 }
 
@@ -102,25 +101,16 @@ void ClosedLoopEvidence<Real>::begin_sums(std::span<const LagBin> bins) {
 }
 
 template <class Real>
-int ClosedLoopEvidence<Real>::thin_some() {
-  if (thinning_ > 1) {
-    const std::span<Real> thinned = window_.scratch.last(count_);
-    thin_out(window_.y, thinning_, thinned);
-    y_ = thinned;
-  }
-  stage_ = Stage::kOutput;
-  return kUnit / 2;
-}
-
-template <class Real>
-int ClosedLoopEvidence<Real>::sum_output() {
-  const std::size_t end = std::min(next_ + kRowsOfOutput, count_);
-  sums().add_output(y_, next_, end);
+int ClosedLoopEvidence<Real>::add_rows() {
+  const bool output = stage_ == Stage::kOutput;
+  const std::size_t end =
+      std::min(next_ + (output ? kRowsOfOutput : kRowsOfInput), count_);
+  sums().add(y_, output ? std::span<const Real>() : stem_positions(), next_, end);
   next_ = end;
   if (next_ == count_) {
-    begin_stem(Stem::kFollows);
+    output ? begin_stem(Stem::kFollows) : take_error();
   }
-  return kUnit;
+  return output ? kUnit : kUnit / 2;
 }
 
 template <class Real>
@@ -183,24 +173,11 @@ int ClosedLoopEvidence<Real>::lay_some() {
     if (planting_) {
       sums().begin_planted();
       stage_ = Stage::kPlant;
-    } else if (kStemSearch && stem_ == Stem::kGivenWithU) {
-      sums().begin_inputs({window_.u, thinning_});
-      stage_ = Stage::kInput;
     } else {
-      sums().begin_input();
+      const bool beside = kStemSearch && stem_ == Stem::kGivenWithU;
+      sums().begin_input({beside ? window_.u : std::span<const Real>(), thinning_});
       stage_ = Stage::kInput;
     }
-  }
-  return kUnit / 2;
-}
-
-template <class Real>
-int ClosedLoopEvidence<Real>::sum_input() {
-  const std::size_t end = std::min(next_ + kRowsOfInput, count_);
-  sums().add_input(y_, stem_positions(), next_, end);
-  next_ = end;
-  if (next_ == count_) {
-    take_error();
   }
   return kUnit / 2;
 }
@@ -317,13 +294,14 @@ template <class Real>
 int ClosedLoopEvidence<Real>::piece() {
   switch (stage_) {
     case Stage::kThin:
-      return thin_some();
+      y_ = thin_out(window_.y, thinning_, window_.scratch.last(count_));
+      stage_ = Stage::kOutput;
+      return kUnit / 2;
     case Stage::kOutput:
-      return sum_output();
+    case Stage::kInput:
+      return add_rows();
     case Stage::kLay:
       return lay_some();
-    case Stage::kInput:
-      return sum_input();
     case Stage::kParts:
       if constexpr (!kSmallSizes) {
         return sum_part();

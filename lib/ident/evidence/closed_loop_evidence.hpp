@@ -42,9 +42,14 @@ template <class Real>
   return kSmallSizes ? thinning : thinning_for(window.u, thinning);
 }
 
-/// The means of `thinning` samples each, as many as `to` holds.
+/// The means of `thinning` samples each, as many as `to` holds: there, or, where one
+/// sample is its own mean, where they are.
 template <class Real>
-void thin_out(std::span<const Real> from, std::size_t thinning, std::span<Real> to) {
+std::span<const Real> thin_out(std::span<const Real> from, std::size_t thinning,
+                               std::span<Real> to) {
+  if (thinning == 1) {
+    return from.first(to.size());
+  }
   for (std::size_t t = 0; t < to.size(); ++t) {
     Real sum = 0;
     for (std::size_t k = 0; k < thinning; ++k) {
@@ -52,6 +57,7 @@ void thin_out(std::span<const Real> from, std::size_t thinning, std::span<Real> 
     }
     to[t] = sum / static_cast<Real>(thinning);
   }
+  return to;
 }
 
 /// Valves this close to the best, in nats, are as good: half of χ²(1) at 95 %.
@@ -159,9 +165,6 @@ class ClosedLoopEvidence {
   /// Samples that are predicted; 0: the window is too short.
   [[nodiscard]] std::size_t predicted() const { return predicted_; }
 
-  /// Samples of the window that make one of them.
-  [[nodiscard]] std::size_t thinning() const { return thinning_; }
-
   /// Nats that a band has to leave behind to be called detectable: far above what
   /// decides, since the stem that is tried is never quite the true one.
   static constexpr double kShows = 40;
@@ -191,11 +194,9 @@ class ClosedLoopEvidence {
              std::span<const LagBin> bins);
   void begin_stem(Stem stem);
   int piece();
-  int thin_some();
-  int sum_output();
+  int add_rows();
   Real move_stem(Real u);
   int lay_some();
-  int sum_input();
   void take_error();
   int sum_part();
   void take_nats();

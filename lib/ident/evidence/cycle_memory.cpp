@@ -33,17 +33,8 @@ template <class Real>
 void CycleMemory<Real>::thin() {
   const std::size_t thinning = evidence_thinning(window_);
   const std::size_t count = window_.u.size() / thinning;
-  if (thinning == 1) {
-    u_ = window_.u;
-    y_ = window_.y;
-  } else {
-    const std::span<Real> u = window_.scratch.first(count);
-    const std::span<Real> y = window_.scratch.last(count);
-    thin_out(window_.u, thinning, u);
-    thin_out(window_.y, thinning, y);
-    u_ = u;
-    y_ = y;
-  }
+  u_ = thin_out(window_.u, thinning, window_.scratch.first(count));
+  y_ = thin_out(window_.y, thinning, window_.scratch.last(count));
   const Real cycle = window_.period / static_cast<Real>(thinning);
   const auto at = [&](double share) {
     return static_cast<std::size_t>(cycle * static_cast<Real>(share));
@@ -120,14 +111,11 @@ int CycleMemory<Real>::piece() {
       break;
     case Stage::kOutput:
     case Stage::kInput: {
+      const bool output = stage_ == Stage::kOutput;
       const std::size_t end = std::min(next_ + kRows, y_.size());
-      if (stage_ == Stage::kOutput) {
-        sums().add_output(y_, next_, end);
-      } else {
-        sums().add_input(y_, u_, next_, end);
-      }
+      sums().add(y_, output ? std::span<const Real>() : u_, next_, end);
       next_ = end;
-      if (next_ == y_.size() && stage_ == Stage::kInput) {
+      if (next_ == y_.size() && !output) {
         take_error();
       } else if (next_ == y_.size()) {
         sums().begin_input();

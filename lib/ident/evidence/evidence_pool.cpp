@@ -24,11 +24,11 @@ std::int16_t rounded(float quarter_nats) {
 }  // namespace
 
 void EvidencePool::fade(float keep) {
-  for (std::int16_t& sum : quarter_nats_) {
+  for (std::int16_t& sum : held_.quarter_nats) {
     sum = rounded(keep * static_cast<float>(sum));
   }
-  predicted_ *= keep;
-  windows_ *= keep;
+  held_.predicted *= keep;
+  held_.windows *= keep;
 }
 
 template <class Real>
@@ -38,7 +38,8 @@ void EvidencePool::add(const Ladder<Real>& ladder, std::size_t predicted, float 
   }
   float scale = weight * kPerNat;
   const auto sum = [&](std::size_t k) {
-    return static_cast<float>(quarter_nats_[k]) + scale * static_cast<float>(ladder[k]);
+    return static_cast<float>(held_.quarter_nats[k]) +
+           scale * static_cast<float>(ladder[k]);
   };
   // Sums cut off at the end of the range would make its rungs alike.
   if constexpr (kStemSearch) {
@@ -53,27 +54,28 @@ void EvidencePool::add(const Ladder<Real>& ladder, std::size_t predicted, float 
     }
   }
   for (std::size_t k = 0; k < ladder.size(); ++k) {
-    quarter_nats_[k] = rounded(sum(k));
+    held_.quarter_nats[k] = rounded(sum(k));
   }
-  predicted_ += weight * static_cast<float>(predicted);
-  windows_ += weight;
+  held_.predicted += weight * static_cast<float>(predicted);
+  held_.windows += weight;
 }
 
 template <class Real>
 LadderFinding<Real> EvidencePool::finding(Real span) const {
   LadderFinding<Real> found;
-  if (!(windows_ > 0)) {
+  if (!(held_.windows > 0)) {
     return found;
   }
-  const auto best = std::max_element(quarter_nats_.begin(), quarter_nats_.end());
-  found.predicted = static_cast<std::size_t>(std::min(predicted_, kMostPredicted));
+  const auto best =
+      std::max_element(held_.quarter_nats.begin(), held_.quarter_nats.end());
+  found.predicted = static_cast<std::size_t>(std::min(held_.predicted, kMostPredicted));
   found.nats = static_cast<Real>(*best) / Real(kPerNat) -
-               elementary::log(std::max(static_cast<Real>(predicted_), Real(1)));
-  const int index = static_cast<int>(best - quarter_nats_.begin());
+               elementary::log(std::max(static_cast<Real>(held_.predicted), Real(1)));
+  const int index = static_cast<int>(best - held_.quarter_nats.begin());
   int lowest = index % kRungs;
   int highest = lowest;
   for (int k = 0; k < kLadderValves; ++k) {
-    const auto sum = static_cast<float>(quarter_nats_[static_cast<std::size_t>(k)]);
+    const auto sum = static_cast<float>(held_.quarter_nats[static_cast<std::size_t>(k)]);
     if (sum > static_cast<float>(*best) - static_cast<float>(kWithinNats) * kPerNat) {
       lowest = std::min(lowest, k % kRungs);
       highest = std::max(highest, k % kRungs);

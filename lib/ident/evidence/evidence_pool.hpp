@@ -30,11 +30,8 @@ class EvidencePool {
   };
 
   EvidencePool() = default;
-  explicit EvidencePool(const Memory& memory)
-      : quarter_nats_(memory.quarter_nats),
-        windows_(memory.windows),
-        predicted_(memory.predicted) {}
-  [[nodiscard]] Memory memory() const { return {quarter_nats_, windows_, predicted_}; }
+  explicit EvidencePool(const Memory& memory) : held_(memory) {}
+  [[nodiscard]] const Memory& memory() const { return held_; }
 
   /// Keeps the share `keep` (0 … 1) of what was. A sum of less than 0.125/(1 − keep) nats
   /// rounds to itself.
@@ -49,12 +46,10 @@ class EvidencePool {
   template <class Real>
   [[nodiscard]] LadderFinding<Real> finding(Real span) const;
   /// How many windows count, each by its weight.
-  [[nodiscard]] float windows() const { return windows_; }
+  [[nodiscard]] float windows() const { return held_.windows; }
 
  private:
-  std::array<std::int16_t, kLadderValves> quarter_nats_{};
-  float windows_ = 0;
-  float predicted_ = 0;
+  Memory held_;
 };
 
 }  // namespace ident

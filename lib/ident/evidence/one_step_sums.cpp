@@ -88,10 +88,9 @@ void OneStepSums<Real>::lay_setpoint(std::size_t t, std::size_t count, Rows& row
   }
 }
 
-// Products with the bins of z, and of what is beside it, or without a z those of y alone.
 template <class Real>
-void OneStepSums<Real>::add_all(std::span<const Real> y, std::span<const Real> z,
-                                std::size_t first, std::size_t last) {
+void OneStepSums<Real>::add(std::span<const Real> y, std::span<const Real> z,
+                            std::size_t first, std::size_t last) {
   const std::size_t from = z.empty() ? 0 : outputs();
   const std::size_t to = z.empty() ? outputs() : columns();
   Triangle& block = factor_;
@@ -140,32 +139,12 @@ void OneStepSums<Real>::multiply(const Rows& rows, std::size_t from, std::size_t
 }
 
 template <class Real>
-void OneStepSums<Real>::add_output(std::span<const Real> y, std::size_t first,
-                                   std::size_t last) {
-  add_all(y, {}, first, last);
-}
-
-template <class Real>
-void OneStepSums<Real>::begin_inputs(const ThinnedSignal<Real>& second) {
-  begin_input();
+void OneStepSums<Real>::begin_input(const ThinnedSignal<Real>& second) {
   if constexpr (kStemSearch) {
     more_.second = second;
   }
-}
-
-template <class Real>
-void OneStepSums<Real>::begin_input() {
-  if constexpr (kStemSearch) {
-    more_.second = {};
-  }
   std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(place(outputs(), 0)), sums_.end(),
             Real(0));
-}
-
-template <class Real>
-void OneStepSums<Real>::add_input(std::span<const Real> y, std::span<const Real> z,
-                                  std::size_t first, std::size_t last) {
-  add_all(y, z, first, last);
 }
 
 template <class Real>

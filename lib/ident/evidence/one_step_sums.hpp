@@ -27,8 +27,9 @@ struct ThinnedSignal {
 /// Where stems are searched, the lags of a setpoint that moves stand beside y, too: u
 /// answers it, and would know of y by that what no stem knows.
 ///
-/// Life: `start`, `add_output` over all rows, then for each z `begin_input`, `add_input`
-/// over the same rows, `error`; a second signal stands beside z after `begin_inputs`.
+/// Life: `start`, `add` over all rows without a z, then for each z `begin_input`, `add`
+/// over the same rows, `error`; where `begin_input` is given a second signal, it stands
+/// beside z.
 /// And, while z is u, `begin_planted`, `add_planted` over the rows, `planted`,
 /// `planted_by_noise`. A row is one predicted sample. The columns are differences of
 /// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
@@ -51,15 +52,13 @@ class OneStepSums {
   /// Where stems are searched, right after `start`: a setpoint as long as y times its
   /// thinning, which must outlive the sums, stands beside y.
   void stand_beside(const ThinnedSignal<Real>& setpoint);
-  /// Rows first … last − 1 of y; `first` at least reach().
-  void add_output(std::span<const Real> y, std::size_t first, std::size_t last);
-  void begin_input();
-  /// Where stems are searched, with coarse lags: as begin_input, and `second`, which must
-  /// outlive the rows, stands beside each z.
-  void begin_inputs(const ThinnedSignal<Real>& second);
-  /// The same rows, with another signal beside y.
-  void add_input(std::span<const Real> y, std::span<const Real> z, std::size_t first,
-                 std::size_t last);
+  /// Where stems are searched, and with coarse lags, `second`, which must outlive the
+  /// rows, may stand beside each z.
+  void begin_input(const ThinnedSignal<Real>& second = {});
+  /// Rows first … last − 1 of y, `first` at least reach(): products with the lags of z
+  /// and of what is beside it, or, where z is empty, those of y alone.
+  void add(std::span<const Real> y, std::span<const Real> z, std::size_t first,
+           std::size_t last);
   /// Sum of the squared errors of the prediction; above 0.
   [[nodiscard]] Real error();
   /// What each column brings to the prediction, for `add_planted` and `error_of`; after
@@ -122,8 +121,6 @@ class OneStepSums {
   }
   void lay_setpoint(std::size_t t, std::size_t count, Rows& rows,
                     std::size_t column) const;
-  void add_all(std::span<const Real> y, std::span<const Real> z, std::size_t first,
-               std::size_t last);
   void add_products(const Row& bins_of_w, const Row& columns_of_z);
   Real left_of(const Row& products, Real square, Row& shares) const;
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 namespace ident {
 
@@ -27,10 +28,7 @@ class SpokenParts {
   /// Of `nats` those that are left when the part that says most counts for no more than
   /// kMostOfOne of the others. None where nothing but that part speaks for the stem.
   [[nodiscard]] Real without_excess(Real nats) const {
-    Real sum = 0;
-    for (const Real gain : gains_) {
-      sum += gain;
-    }
+    const Real sum = std::accumulate(gains_.begin(), gains_.end(), Real(0));
     const Real most = *std::max_element(gains_.begin(), gains_.end());
     const Real others = (sum - most) / static_cast<Real>(kCount - 1);
     const Real excess = most - Real(kMostOfOne) * std::max(others, Real(0));

@@ -73,11 +73,11 @@ template <class Real>
 void sum(OneStepSums<Real>& sums, const std::vector<Real>& y, const std::vector<Real>& z,
          std::size_t rows) {
   for (std::size_t t = sums.reach(); t < y.size(); t += rows) {
-    sums.add_output(y, t, std::min(t + rows, y.size()));
+    sums.add(y, {}, t, std::min(t + rows, y.size()));
   }
   sums.begin_input();
   for (std::size_t t = sums.reach(); t < y.size(); t += rows) {
-    sums.add_input(y, z, t, std::min(t + rows, y.size()));
+    sums.add(y, z, t, std::min(t + rows, y.size()));
   }
 }
 
@@ -144,7 +144,7 @@ TEST(OneStepSums, ServeOneSignalAfterTheOther) {
   const double before = sums.error();
   for (const Signal& z : {other.z, first.z}) {
     sums.begin_input();
-    sums.add_input(first.y, z, sums.reach(), first.y.size());
+    sums.add(first.y, z, sums.reach(), first.y.size());
     const double found = sums.error();
     EXPECT_NEAR(found / test::PredictionOracle(first.y, z, lags(12)).error(kDisbelief), 1,
                 1e-9);
@@ -166,14 +166,14 @@ TEST(OneStepSums, PutASecondSignalBesideTheFirst) {
   sum(sums, y, of_z.z, 64);
   const double alone = sums.error();
   const test::PredictionOracle oracle(y, of_z.z, lags(12));
-  sums.begin_inputs({of_w.z});
+  sums.begin_input({of_w.z});
   for (std::size_t t = sums.reach(); t < y.size(); t += 50) {
-    sums.add_input(y, of_z.z, t, std::min<std::size_t>(t + 50, y.size()));
+    sums.add(y, of_z.z, t, std::min<std::size_t>(t + 50, y.size()));
   }
   EXPECT_NEAR(sums.error() / oracle.least_error_beside(of_w.z), 1, 2e-3);
   EXPECT_LT(sums.error(), 0.8 * alone);
   sums.begin_input();
-  sums.add_input(y, of_z.z, sums.reach(), y.size());
+  sums.add(y, of_z.z, sums.reach(), y.size());
   EXPECT_NEAR(sums.error() / alone, 1, 1e-12);
 }
 
@@ -346,9 +346,9 @@ TEST(OneStepSums, ASetpointStandsBesideEverySignal) {
   const auto error_with = [&](const ThinnedSignal<double>& setpoint, const Signal& of) {
     sums.start(kLagBins);
     if (!setpoint.values.empty()) sums.stand_beside(setpoint);
-    sums.add_output(y, sums.reach(), n);
+    sums.add(y, {}, sums.reach(), n);
     sums.begin_input();
-    sums.add_input(y, of, sums.reach(), n);
+    sums.add(y, of, sums.reach(), n);
     return sums.error();
   };
   const ThinnedSignal<double> known{sp};
