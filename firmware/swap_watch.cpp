@@ -20,8 +20,7 @@ bool SwapWatch::exchanged(const Window& window, std::size_t usable) {
   if (ident::all_finite<float>(std::span(held_.sp).first(count))) {
     sp = widened(held_.sp, wide_.sp);
   }
-  return ident::find_swap(widened(held_.u, wide_.u), widened(held_.y, wide_.y), sp)
-      .swapped;
+  return ident::are_swapped(widened(held_.u, wide_.u), widened(held_.y, wide_.y), sp);
 }
 
 }  // namespace firmware

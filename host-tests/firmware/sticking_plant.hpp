@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "ident/valve/stick_slip_valve.hpp"
+#include "support/ident/published_valves.hpp"
 #include "wire/can_frame.hpp"
 
 namespace firmware {
@@ -15,7 +16,7 @@ class Plant {
  public:
   explicit Plant(bool sticks)
       : sticks_(sticks),
-        valve_(sticks ? ident::from_he<double>(6, 2) : ident::ValveFriction<double>{},
+        valve_(sticks ? test::from_he<double>(6, 2) : ident::ValveFriction<double>{},
                50) {}
   void next() {
     const double error = 50.3 - (y = y_ + 0.15 * noise());

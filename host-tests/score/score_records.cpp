@@ -53,7 +53,7 @@ void count(const Loop& loop, Fired& fired) {
   const auto of_y = ident::find_storage(loop.y);
   ++fired.loops;
   fired.seams += ident::find_seams(loop.u, loop.y, loop.sp).count > 0;
-  fired.swaps += ident::find_swap(loop.u, loop.y, loop.sp).swapped;
+  fired.swaps += ident::are_swapped(loop.u, loop.y, loop.sp);
   fired.interpolated_u += of_u.storage == Storage::kInterpolated;
   fired.interpolated_y += of_y.storage == Storage::kInterpolated;
   fired.held_u += of_u.storage == Storage::kHeld;
@@ -236,8 +236,8 @@ void score_swapped(const std::string& name, const std::vector<Loop>& loops) {
   int with = 0;
   int without = 0;
   for (const Loop& loop : loops) {
-    with += ident::find_swap(loop.y, loop.u, loop.sp).swapped;
-    without += ident::find_swap(loop.y, loop.u, {}).swapped;
+    with += ident::are_swapped(loop.y, loop.u, loop.sp);
+    without += ident::are_swapped(loop.y, loop.u, {});
   }
   std::printf("| %s | %zu | %d | %d |\n", name.c_str(), loops.size(), with, without);
 }

@@ -103,12 +103,10 @@ void Monitor<Real, Capacity>::announce_health(HealthChange change, InputFault be
     return;
   }
   const bool fault = change == HealthChange::kFault;
-  Event<Real> event;
-  event.t_us = health_.changed_us();
-  event.kind = fault ? EventKind::kInputFault : EventKind::kInputRestored;
-  event.fault = fault ? health_.fault() : before;
   report_.counters.input_faults += fault ? 1 : 0;
-  announce(event);
+  announce({.t_us = health_.changed_us(),
+            .kind = fault ? EventKind::kInputFault : EventKind::kInputRestored,
+            .fault = fault ? health_.fault() : before});
   restart_evidence();
 }
 
@@ -155,12 +153,10 @@ void Monitor<Real, Capacity>::watch_oscillation() {
     return;
   }
   oscillating_ = now.oscillating;
-  Event<Real> event;
-  event.t_us = window_.newest_us();
-  event.kind =
-      oscillating_ ? EventKind::kOscillationStarted : EventKind::kOscillationEnded;
-  event.period_samples = period_;
-  announce(event);
+  announce({.t_us = window_.newest_us(),
+            .kind = oscillating_ ? EventKind::kOscillationStarted
+                                 : EventKind::kOscillationEnded,
+            .period_samples = period_});
 }
 
 // New samples that make the next window due.

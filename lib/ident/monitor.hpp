@@ -77,8 +77,8 @@
 // events lost.
 //
 // What is named here stands in signal/sample_window.hpp (Sample, PushResult),
-// verdict/verdict.hpp (Verdict, Estimate, PerStroke), verdict/identification.hpp (Reason and
-// its sentence(), Identification), signal/input_health.hpp (InputFault).
+// verdict/verdict.hpp (Verdict, Estimate, PerStroke), verdict/identification.hpp (Reason
+// and its sentence(), Identification), signal/input_health.hpp (InputFault).
 #pragma once
 
 #include <array>
@@ -138,8 +138,8 @@ struct Event {
   InputFault fault = InputFault::kNone;   ///< input_fault, input_restored: which
   Verdict verdict = Verdict::kUndecided;  ///< stiction_*, undecided: of that window
   Reason reason = Reason::kNone;          ///< stiction_*, undecided: of that window
-  PerStroke<Real> stick_band;             ///< stiction_*: of that window, units of u
-  PerStroke<Real> slip_jump;              ///< stiction_*: of that window, units of u
+  PerStroke<Real> stick_band = {};        ///< stiction_*: of that window, units of u
+  PerStroke<Real> slip_jump = {};         ///< stiction_*: of that window, units of u
   Real period_samples = 0;                ///< oscillation_*: samples per cycle
 
   [[nodiscard]] double t_s() const { return static_cast<double>(t_us) * 1e-6; }
@@ -153,29 +153,15 @@ struct MonitorCounters {
   std::uint32_t events_lost = 0;  ///< pushed out of the queue before they were read
 };
 
-/// The state of the monitor: the latest verdict and what it rests on.
+/// The state of the monitor: the latest verdict and what it rests on. `fit_percent` is 0
+/// unless the window was asked for, or u turned too seldom for a verdict without it.
 template <class Real>
-struct MonitorReport {
-  bool evaluated = false;  ///< false: nothing down to residual_rms means anything
-  bool asked = false;      ///< the window was asked for, not due
-  Verdict verdict = Verdict::kUndecided;
-  Reason reason = Reason::kNone;
-  std::int64_t window_end_us = 0;       ///< newest sample of the window
-  std::size_t window_samples = 0;       ///< samples in the window
-  OscillationReport<Real> oscillation;  ///< of u in the window
-  Real cycles = 0;                      ///< in the window
-  PerStroke<Real> stick_band;           ///< units of u
-  PerStroke<Real> slip_jump;            ///< units of u
-  Real fit_percent = 0;         ///< equation (23), two-path model; 0 unless asked for, or
-                                ///< u turned too seldom for a verdict without it
-  Real fit_linear_percent = 0;  ///< the same behind a linear valve
-  Real fit_valve_percent = 0;   ///< equation (23), physical valve
-  ModelGapReport<Real> gap;     ///< where that model fails
-  Real residual_rms = 0;        ///< of that model, units of y; 0 unknown
-
-  Real detectable_band = 0;  ///< smallest that the window would have shown, units of u;
-                             ///< 0: none
-  Real evidence_nats = 0;    ///< closed-loop evidence of the window; 0 unknown
+struct MonitorReport : Findings<Real> {
+  bool evaluated = false;          ///< false: no number of a window means anything
+  bool asked = false;              ///< the window was asked for, not due
+  std::int64_t window_end_us = 0;  ///< newest sample of the window
+  std::size_t window_samples = 0;  ///< samples in the window
+  Real evidence_nats = 0;          ///< closed-loop evidence of the window; 0 unknown
   LadderFinding<Real>
       pooled;  ///< of all windows since the memory began; bands in units of u
 

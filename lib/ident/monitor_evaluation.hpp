@@ -48,23 +48,12 @@ void Monitor<Real, Capacity>::finish_evaluation() {
   running_ = false;
   window_.release();
   const Identification<Real>& result = identifier_.result();
+  static_cast<Findings<Real>&>(report_) = result;
   ++report_.counters.evaluations;
   report_.evaluated = true;
   report_.asked = !counts_;
-  report_.verdict = result.verdict;
-  report_.reason = result.reason;
   report_.window_end_us = running_end_us_;
   report_.window_samples = running_samples_;
-  report_.oscillation = result.oscillation;
-  report_.cycles = result.cycles;
-  report_.stick_band = result.stick_band;
-  report_.slip_jump = result.slip_jump;
-  report_.fit_percent = result.fit_percent;
-  report_.fit_linear_percent = result.fit_linear_percent;
-  report_.fit_valve_percent = result.fit_valve_percent;
-  report_.gap = result.gap;
-  report_.residual_rms = result.residual_rms;
-  report_.detectable_band = result.detectable_band;
   report_.evidence_nats =
       std::max(result.evidence.ladder.nats, nats_of_stems(result.evidence, Real(-1e6)));
   judge_with_pool();
@@ -112,12 +101,10 @@ void Monitor<Real, Capacity>::tell_undecided() {
     return;
   }
   told_ = report_.reason;
-  Event<Real> event;
-  event.t_us = running_end_us_;
-  event.kind = EventKind::kUndecided;
-  event.verdict = report_.verdict;
-  event.reason = report_.reason;
-  announce(event);
+  announce({.t_us = running_end_us_,
+            .kind = EventKind::kUndecided,
+            .verdict = report_.verdict,
+            .reason = report_.reason});
 }
 
 template <class Real, std::size_t Capacity>
@@ -142,15 +129,13 @@ void Monitor<Real, Capacity>::show_to_alarm() {
   if (change == AlarmChange::kNone) {
     return;
   }
-  Event<Real> event;
-  event.t_us = running_end_us_;
-  event.kind = change == AlarmChange::kRaised ? EventKind::kStictionRaised
-                                              : EventKind::kStictionCleared;
-  event.verdict = report_.verdict;
-  event.reason = report_.reason;
-  event.stick_band = report_.stick_band;
-  event.slip_jump = report_.slip_jump;
-  announce(event);
+  announce({.t_us = running_end_us_,
+            .kind = change == AlarmChange::kRaised ? EventKind::kStictionRaised
+                                                   : EventKind::kStictionCleared,
+            .verdict = report_.verdict,
+            .reason = report_.reason,
+            .stick_band = report_.stick_band,
+            .slip_jump = report_.slip_jump});
 }
 
 }  // namespace ident

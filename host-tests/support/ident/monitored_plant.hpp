@@ -12,6 +12,7 @@
 #include "ident/monitor.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 #include "support/ident/microseconds.hpp"
+#include "support/ident/published_valves.hpp"
 
 namespace test {
 
@@ -22,7 +23,7 @@ using Events = std::vector<ident::Event<float>>;
 // period of some 110 samples while the valve sticks.
 class StickingLoop {
  public:
-  StickingLoop() : valve_(ident::from_he<double>(6, 2), 50) {}
+  StickingLoop() : valve_(from_he<double>(6, 2), 50) {}
 
   void heal() { valve_ = ident::StickSlipValve<double>({}, 50); }
   ident::Sample<float> next(std::int64_t t_us) {

@@ -11,6 +11,7 @@
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
+#include "support/ident/published_valves.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
 namespace ident {
@@ -88,7 +89,7 @@ TEST(InPlaceIdentifier, AsksTheTwoPathModelOfFewTurnsWhateverTheOptions) {
     Window window(1);
     window.u.clear();
     window.y.clear();
-    StickSlipValve<double> valve(from_he<double>(0.75 * band, 0.25 * band), 50);
+    StickSlipValve<double> valve(test::from_he<double>(0.75 * band, 0.25 * band), 50);
     double y = 50;
     for (int k = 0; k < 100; ++k) {
       const double u = 50 + 6 * std::sin(0.055 * k);

@@ -1,6 +1,7 @@
 // A derivative-free minimiser that can be stopped after any evaluation.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,30 +29,22 @@ class PatternSearch {
   }
   /// Adds a direction with its first and its smallest useful step length.
   void add_direction(const Point& direction, Real step, Real smallest) {
-    direction_[directions_] = direction;
-    step_[directions_] = step;
-    smallest_[directions_] = smallest;
-    ++directions_;
+    direction_[directions_++] = {direction, step, smallest};
   }
   [[nodiscard]] bool done() const {
-    if (left_ <= 0) {
-      return true;
-    }
-    for (int k = 0; k < directions_; ++k) {
-      if (step_[k] >= smallest_[k]) {
-        return false;
-      }
-    }
-    return true;
+    return left_ <= 0 ||
+           std::none_of(direction_.begin(), direction_.begin() + directions_,
+                        [](const Direction& d) { return d.useful(); });
   }
   /// The next point to evaluate; only while not done.
   [[nodiscard]] Point propose() {
-    while (step_[current_] < smallest_[current_]) {
+    while (!direction_[current_].useful()) {
       advance();
     }
+    const Direction& d = direction_[current_];
     Point point = best_;
     for (int i = 0; i < kMaxDimensions; ++i) {
-      point[i] += static_cast<Real>(sense_) * step_[current_] * direction_[current_][i];
+      point[i] += static_cast<Real>(sense_) * d.step * d.way[i];
     }
     return point;
   }
@@ -61,14 +54,14 @@ class PatternSearch {
     if (better(value)) {
       best_ = point;
       best_value_ = value;
-      step_[current_] *= Real(1.6);
+      direction_[current_].step *= Real(1.6);
       advance();
       return true;
     }
     if (sense_ > 0) {
       sense_ = -1;
     } else {
-      step_[current_] *= Real(0.5);
+      direction_[current_].step *= Real(0.5);
       advance();
     }
     return false;
@@ -89,6 +82,12 @@ class PatternSearch {
   [[nodiscard]] Real best_value() const { return best_value_; }
 
  private:
+  struct Direction {
+    Point way{};
+    Real step = 0;
+    Real smallest = 0;  // useful step
+    [[nodiscard]] bool useful() const { return step >= smallest; }
+  };
   // Trials of a valve that slips at the same samples differ by rounding only: such a gain
   // is none, or the unit of a signal would decide where a search ends.
   [[nodiscard]] bool better(Real value) const {
@@ -102,9 +101,7 @@ class PatternSearch {
 
   Point best_{};
   Real best_value_ = 0;
-  std::array<Point, kMaxDirections> direction_{};
-  std::array<Real, kMaxDirections> step_{};
-  std::array<Real, kMaxDirections> smallest_{};
+  std::array<Direction, kMaxDirections> direction_{};
   int directions_ = 0;
   int current_ = 0;
   int sense_ = 1;

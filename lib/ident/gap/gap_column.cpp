@@ -10,58 +10,44 @@ namespace ident {
 namespace {
 
 constexpr int kSteps = 31;
-constexpr std::array kCandidates = {
-    GapCandidate{EffectCode::kValveCharacteristic, GapKind::kSquare, 0, false},
-    GapCandidate{EffectCode::kProcessNonlinearGain, GapKind::kProduct, 0, false},
-    GapCandidate{EffectCode::kProcessGainDrift, GapKind::kDrift, 0, false},
-    GapCandidate{EffectCode::kDisturbanceSinusoid, GapKind::kLine, -0.25F, false},
-    GapCandidate{EffectCode::kDisturbanceSinusoid, GapKind::kLine, 0, false},
-    GapCandidate{EffectCode::kDisturbanceSinusoid, GapKind::kLine, 0.25F, false},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 2, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 4, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 8, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kRate, 16, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 2, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 4, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 8, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kOpening, 16, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 2, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 4, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 8, true},
-    GapCandidate{EffectCode::kValveRateLimit, GapKind::kClosing, 16, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.6F, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.7F, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.8F, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kUpper, 0.9F, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.4F, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.3F, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.2F, true},
-    GapCandidate{EffectCode::kValveSaturation, GapKind::kLower, 0.1F, true},
-    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.6F, true},
-    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.7F, true},
-    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.8F, true},
-    GapCandidate{EffectCode::kProcessOverflow, GapKind::kOverflow, 0.9F, true},
-    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.02F, true},
-    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.05F, true},
-    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.1F, true},
-    GapCandidate{EffectCode::kProcessSecondLag, GapKind::kLag, 0.2F, true},
-    GapCandidate{EffectCode::kProcessDeadTime, GapKind::kDelay, 1, true},
-    GapCandidate{EffectCode::kProcessDeadTime, GapKind::kDelay, 2, true},
-    GapCandidate{EffectCode::kProcessDeadTime, GapKind::kDelay, 4, true},
-    GapCandidate{EffectCode::kDisturbanceRamp, GapKind::kRamp, 0, false},
+
+// The candidates of one effect and kind: up to four settings.
+struct Family {
+  EffectCode effect;
+  GapKind kind;
+  int count;
+  bool whole;
+  std::array<float, 4> values;
 };
-constexpr int kListed = static_cast<int>(kCandidates.size());
-static_assert(kListed + kSteps == kGapCandidates);
+
+constexpr Family kFamilies[] = {
+    {EffectCode::kValveCharacteristic, GapKind::kSquare, 1, false, {}},
+    {EffectCode::kProcessNonlinearGain, GapKind::kProduct, 1, false, {}},
+    {EffectCode::kProcessGainDrift, GapKind::kDrift, 1, false, {}},
+    {EffectCode::kDisturbanceSinusoid, GapKind::kLine, 3, false, {-0.25F, 0, 0.25F}},
+    {EffectCode::kValveRateLimit, GapKind::kRate, 4, true, {2, 4, 8, 16}},
+    {EffectCode::kValveRateLimit, GapKind::kOpening, 4, true, {2, 4, 8, 16}},
+    {EffectCode::kValveRateLimit, GapKind::kClosing, 4, true, {2, 4, 8, 16}},
+    {EffectCode::kValveSaturation, GapKind::kUpper, 4, true, {0.6F, 0.7F, 0.8F, 0.9F}},
+    {EffectCode::kValveSaturation, GapKind::kLower, 4, true, {0.4F, 0.3F, 0.2F, 0.1F}},
+    {EffectCode::kProcessOverflow, GapKind::kOverflow, 4, true, {0.6F, 0.7F, 0.8F, 0.9F}},
+    {EffectCode::kProcessSecondLag, GapKind::kLag, 4, true, {0.02F, 0.05F, 0.1F, 0.2F}},
+    {EffectCode::kProcessDeadTime, GapKind::kDelay, 3, true, {1, 2, 4}},
+    {EffectCode::kDisturbanceRamp, GapKind::kRamp, 1, false, {}},
+};
 
 }  // namespace
 
 GapCandidate gap_candidate(int index) {
-  if (index < kListed) {
-    return kCandidates[static_cast<std::size_t>(index)];
+  for (const Family& family : kFamilies) {
+    if (index < family.count) {
+      return {family.effect, family.kind, family.values[static_cast<std::size_t>(index)],
+              family.whole};
+    }
+    index -= family.count;
   }
   return {EffectCode::kDisturbanceStep, GapKind::kStep,
-          static_cast<float>(index - kListed + 1) / static_cast<float>(kSteps + 1),
-          false};
+          static_cast<float>(index + 1) / static_cast<float>(kSteps + 1), false};
 }
 
 float gap_spacing(const GapCandidate& candidate) {
@@ -79,14 +65,9 @@ float gap_spacing(const GapCandidate& candidate) {
     case GapKind::kLower:
     case GapKind::kOverflow:
       return 0.1F;
-    case GapKind::kSquare:
-    case GapKind::kProduct:
-    case GapKind::kDrift:
-    case GapKind::kDelay:
-    case GapKind::kRamp:
-      break;
+    default:
+      return 0;
   }
-  return 0;
 }
 
 template <class Real>

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <span>
 
 #include "ident/process/start_column.hpp"
@@ -67,11 +68,7 @@ class PoleFilter {
     gain_ = unit_gain(poles, count);
     if (slow_ > Real(kLeastRemembering) &&
         !((Real(1) - slow_) * count > Real(kRemembered))) {
-      Real sum = 0;
-      for (const Real value : x) {
-        sum += value;
-      }
-      origin_ = sum / count;
+      origin_ = std::accumulate(x.begin(), x.end(), Real(0)) / count;
       step_before_ = x[0] - origin_;
       fast_state_ = follows() ? following(Real(0)) : Real(0);
     }

@@ -1,6 +1,7 @@
 #include "ident/signal/input_health.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "ident/base/limits.hpp"
 
@@ -32,19 +33,9 @@ bool in_range(std::int64_t t_us) {
 }  // namespace
 
 std::string_view name(InputFault fault) {
-  switch (fault) {
-    case InputFault::kNone:
-      return "none";
-    case InputFault::kStale:
-      return "stale";
-    case InputFault::kNonFinite:
-      return "non_finite";
-    case InputFault::kFrozenU:
-      return "frozen_u";
-    case InputFault::kFrozenY:
-      return "frozen_y";
-  }
-  return "none";
+  constexpr std::array<std::string_view, 5> kNames = {"none", "stale", "non_finite",
+                                                      "frozen_u", "frozen_y"};
+  return kNames[static_cast<std::size_t>(fault)];
 }
 
 template <class Real>

@@ -14,7 +14,7 @@ RecordHealth<double> check_record(std::span<const double> u, std::span<const dou
                                   std::span<const double> sp) {
   RecordHealth<double> health;
   health.sensor_sticks = find_sensor_hold(u, y).sticks || find_noisy_hold(u, y).sticks;
-  health.swapped = find_swap(u, y, sp).swapped;
+  health.swapped = are_swapped(u, y, sp);
   const Seams seams = find_seams(u, y, sp);
   health.seam_at = seams.count > 0 ? seams.at[0] : 0;
   const StoredSignal stored_u = find_storage(u);

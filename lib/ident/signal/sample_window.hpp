@@ -238,15 +238,6 @@ class SampleWindow {
     }
     return count;
   }
-  /// Every sample in the window came with its setpoint. Cost: one pass.
-  [[nodiscard]] bool has_setpoint() const {
-    for (std::size_t k = 0; k < size(); ++k) {
-      if (!std::isfinite(at(k).sp)) {
-        return false;
-      }
-    }
-    return !empty();
-  }
 
  private:
   struct Values {

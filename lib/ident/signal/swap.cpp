@@ -126,21 +126,17 @@ Law fit(std::span<const double> out, std::span<const double> in,
 
 }  // namespace
 
-SwapEvidence find_swap(std::span<const double> u, std::span<const double> y,
-                       std::span<const double> sp) {
-  SwapEvidence evidence;
+bool are_swapped(std::span<const double> u, std::span<const double> y,
+                 std::span<const double> sp) {
   if (u.size() < kFewest) {
-    return evidence;
+    return false;
   }
   const Law labelled = fit(u, y, sp);
   const Law exchanged = fit(y, u, sp);
   const double left = 1 - labelled.r_squared;
-  evidence.as_labelled = labelled.r_squared;
-  evidence.exchanged = exchanged.r_squared;
-  evidence.swapped = labelled.known && exchanged.known && exchanged.agree &&
-                     exchanged.r_squared > kExplained && left > kLeftAtLeast &&
-                     left > kTimesMoreLeft * (1 - exchanged.r_squared);
-  return evidence;
+  return labelled.known && exchanged.known && exchanged.agree &&
+         exchanged.r_squared > kExplained && left > kLeftAtLeast &&
+         left > kTimesMoreLeft * (1 - exchanged.r_squared);
 }
 
 }  // namespace ident

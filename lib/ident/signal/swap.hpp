@@ -5,13 +5,8 @@
 
 namespace ident {
 
-/// How well each reading of a recording fits a controller.
-struct SwapEvidence {
-  bool swapped = false;    ///< the column called y is the controller output
-  double as_labelled = 0;  ///< share of Δu that a PI law of y explains, 0 … 1
-  double exchanged = 0;    ///< share of Δy that a PI law of u explains, 0 … 1
-};
-
+/// Whether the column called y is the controller output: nearly certain where it is true.
+///
 /// A controller answers what it reads within the same sample, by its law and exactly; a
 /// process answers its input through lag, delay and load. So the law
 ///
@@ -30,7 +25,7 @@ struct SwapEvidence {
 /// knows its scale. Offset and scale do not matter.
 ///
 /// Equal lengths. Cost: six passes.
-[[nodiscard]] SwapEvidence find_swap(std::span<const double> u, std::span<const double> y,
-                                     std::span<const double> sp);
+[[nodiscard]] bool are_swapped(std::span<const double> u, std::span<const double> y,
+                               std::span<const double> sp);
 
 }  // namespace ident

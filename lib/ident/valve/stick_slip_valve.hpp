@@ -61,24 +61,6 @@ template <class Real>
   return {u - half - friction.slip_ascending, u + half + friction.slip_descending};
 }
 
-/// Choudhury's parameters of a symmetric valve: stick band plus deadband S, slip J.
-template <class Real>
-[[nodiscard]] ValveFriction<Real> from_choudhury(Real s, Real j) {
-  return {s - j, j, j, SlipMotion::kStops};
-}
-
-/// Kano's parameters use the same S and J; J ≤ S.
-template <class Real>
-[[nodiscard]] ValveFriction<Real> from_kano(Real s, Real j) {
-  return from_choudhury(s, j);
-}
-
-/// He's parameters of a symmetric valve: static band fs, kinetic band fd ≤ fs.
-template <class Real>
-[[nodiscard]] ValveFriction<Real> from_he(Real fs, Real fd) {
-  return {Real(2) * fd, fs - fd, fs - fd, SlipMotion::kResticks};
-}
-
 /// The valve (S1), sample by sample. Needs neither a constant setpoint nor two extrema a
 /// cycle. State: six numbers. Cost of `step`: two comparisons while the stem holds.
 template <class Real>

@@ -22,6 +22,12 @@ struct ValveModel {
   Real start = 0;            ///< stem position before the first sample, scaled like u
 };
 
+/// Whether `a` is there and leaves less than `b`, or `b` is not there.
+template <class Real>
+[[nodiscard]] bool better(const ValveModel<Real>& a, const ValveModel<Real>& b) {
+  return a.known && (!b.known || a.fit.error < b.fit.error);
+}
+
 /// The window that is searched, oldest sample first.
 template <class Real>
 struct SearchWindow {

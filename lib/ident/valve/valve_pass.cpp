@@ -200,13 +200,6 @@ bool ValvePass<Real>::run(int& left) {
   return done();
 }
 
-template <class Real>
-void ValvePass<Real>::finish() {
-  while (!done()) {
-    step();
-  }
-}
-
 template class ValvePass<float>;
 template class ValvePass<double>;
 

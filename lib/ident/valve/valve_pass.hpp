@@ -51,8 +51,6 @@ class ValvePass {
   [[nodiscard]] bool done() const { return stage_ == Stage::kDone; }
   /// Goes on until it is done or nothing is left; true when done.
   bool run(int& left);
-  /// All that is left of it at once.
-  void finish();
 
   /// The model of the pass, with what was found; when done.
   [[nodiscard]] const ValveModel<Real>& model() const { return model_; }

@@ -2,11 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "ident/base/elementary.hpp"
 
 namespace ident {
 namespace {
+
+// Where a form can be moved to: deadband, slip ascending, slip descending.
+struct Direction {
+  ValveForm form;
+  std::int8_t deadband;
+  std::int8_t ascending;
+  std::int8_t descending;
+};
+constexpr Direction kDirections[] = {
+    {ValveForm::kBacklash, 1, 0, 0},   {ValveForm::kAscending, 0, 1, 0},
+    {ValveForm::kDescending, 0, 0, 1}, {ValveForm::kSymmetric, 1, 0, 0},
+    {ValveForm::kSymmetric, 0, 1, 1},  {ValveForm::kSymmetric, -1, 1, 1},
+    {ValveForm::kMixed, 1, 0, 0},      {ValveForm::kMixed, 0, 1, 0},
+    {ValveForm::kMixed, 0, 0, 1},      {ValveForm::kMixed, -1, 1, 1},
+    {ValveForm::kMixed, 0, 1, -1}};
 
 constexpr double kFirstStep = 0.03;  // of the valve, as a share of the swing of u
 constexpr double kLastStep = 0.0007;
@@ -31,34 +47,13 @@ void ValvePolish<Real>::start(ValveForm form, const ValveModel<Real>& model,
   const Real time_step = Real(kFirstTimeStep);
   const Real time_least = Real(kLastTimeStep);
   pattern_.start(to_point(best_), best_.fit.error, evaluations);
-  const auto direction = [&](Real deadband, Real ascending, Real descending) {
-    pattern_.add_direction({deadband, ascending, descending, 0, 0, 0}, valve_step,
-                           valve_least);
-  };
-  switch (form) {
-    case ValveForm::kLinear:
-      break;
-    case ValveForm::kBacklash:
-      direction(1, 0, 0);
-      break;
-    case ValveForm::kAscending:
-      direction(0, 1, 0);
-      break;
-    case ValveForm::kDescending:
-      direction(0, 0, 1);
-      break;
-    case ValveForm::kSymmetric:
-      direction(1, 0, 0);
-      direction(0, 1, 1);
-      direction(-1, 1, 1);
-      break;
-    case ValveForm::kMixed:
-      direction(1, 0, 0);
-      direction(0, 1, 0);
-      direction(0, 0, 1);
-      direction(-1, 1, 1);
-      direction(0, 1, -1);
-      break;
+  for (const Direction& d : kDirections) {
+    if (d.form == form) {
+      pattern_.add_direction(
+          {static_cast<Real>(d.deadband), static_cast<Real>(d.ascending),
+           static_cast<Real>(d.descending)},
+          valve_step, valve_least);
+    }
   }
   if (best_.start_known) {
     pattern_.add_direction({0, 0, 0, 0, 0, 1}, valve_step, valve_least);

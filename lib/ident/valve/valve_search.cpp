@@ -1,5 +1,7 @@
 #include "ident/valve/valve_search.hpp"
 
+#include <algorithm>
+
 #include "ident/base/configurations.hpp"
 #include "ident/base/elementary.hpp"
 
@@ -161,13 +163,8 @@ bool ValveSearch<Real>::worth_more() const {
 
 template <class Real>
 const ValveModel<Real>& ValveSearch<Real>::best_of_all() const {
-  const ValveModel<Real>* best = &best_[0];
-  for (const ValveModel<Real>& model : best_) {
-    if (model.known && (!best->known || model.fit.error < best->fit.error)) {
-      best = &model;
-    }
-  }
-  return *best;
+  return *std::min_element(best_.begin(), best_.end(),
+                           [](const auto& a, const auto& b) { return better(a, b); });
 }
 
 // Whether a linear valve is as good as any so far.

@@ -91,9 +91,8 @@ void ValveSearch<Real>::keep_in_beam(int time_constant, const ValveModel<Real>& 
 
 template <class Real>
 void ValveSearch<Real>::sort_beam() {
-  sort_few(beam_.begin(), beam_.end(), [](const auto& a, const auto& b) {
-    return a.known && (!b.known || a.fit.error < b.fit.error);
-  });
+  sort_few(beam_.begin(), beam_.end(),
+           [](const auto& a, const auto& b) { return better(a, b); });
 }
 
 // Sorts the beam and keeps the best unlike members, at most `most`.

@@ -1,5 +1,6 @@
 // The passes that the search for a valve makes without a decision between them.
 #include <algorithm>
+#include <array>
 
 #include "ident/valve/valve_grid.hpp"
 #include "ident/valve/valve_search.hpp"
@@ -117,7 +118,7 @@ void ValveSearch<Real>::take_screened() {
   const bool integrating = !(model.poles.slow < Real(1));
   ValveModel<Real>& kept =
       beam_[static_cast<int>(form_) + (integrating ? kValveForms : 0)];
-  if (!kept.known || model.fit.error < kept.fit.error) {
+  if (better(model, kept)) {
     kept = model;
   }
 }
@@ -152,7 +153,7 @@ bool ValveSearch<Real>::polish_next() {
       break;
     case Polish::kIsKept: {
       ValveModel<Real>& kept = best_[static_cast<int>(form_)];
-      if (!kept.known || model.fit.error < kept.fit.error) {
+      if (better(model, kept)) {
         kept = model;
       }
       return true;
@@ -262,28 +263,23 @@ bool ValveSearch<Real>::slide_job(int job, ValveForm& form,
     from = beam_[job];
     return true;
   }
+  constexpr std::array kSimpler = {ValveForm::kSymmetric, ValveForm::kAscending,
+                                   ValveForm::kDescending, ValveForm::kBacklash};
+  constexpr int kSimplerForms = static_cast<int>(kSimpler.size());
+  const int later = job - 2 * kValveForms;
   form = ValveForm::kMixed;
-  switch (job - 2 * kValveForms) {
-    case 0:
-      from = best(ValveForm::kSymmetric);
-      return true;
-    case 1:
-      from = best(ValveForm::kAscending);
-      return true;
-    case 2:
-      from = best(ValveForm::kDescending);
-      return true;
-    case 3:
-      form = ValveForm::kSymmetric;
-      from = best(ValveForm::kBacklash);
-      from.friction.slip_ascending = from.friction.slip_descending =
-          Real(0.3) * from.friction.deadband;
-      from.friction.deadband -= from.friction.slip_ascending;
-      return true;
-    default:
-      from = best(ValveForm::kMixed);
-      return simpler_job(job - 2 * kValveForms - 4, form, from.friction);
+  if (later >= kSimplerForms) {
+    from = best(ValveForm::kMixed);
+    return simpler_job(later - kSimplerForms, form, from.friction);
   }
+  from = best(kSimpler[later]);
+  if (kSimpler[later] == ValveForm::kBacklash) {
+    form = ValveForm::kSymmetric;
+    from.friction.slip_ascending = from.friction.slip_descending =
+        Real(0.3) * from.friction.deadband;
+    from.friction.deadband -= from.friction.slip_ascending;
+  }
+  return true;
 }
 
 // Valves with a memory: the mixed valve from the beam, then the simpler forms from it.

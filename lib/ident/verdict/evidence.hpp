@@ -21,7 +21,7 @@ template <class Real>
 
 /// The stem that foretells y best one sample ahead, looked for where no fitted valve
 /// sticks. Bands over the usual swing of u.
-template <class Real, bool kSearched = kStemSearch>
+template <class Real>
 struct SearchedStem {
   bool asked = false;
   Real nats = 0;  ///< 0 where no stem was worth it; after the cost of its parameters, by
@@ -29,79 +29,63 @@ struct SearchedStem {
   int strokes = 0;  ///< how often it turned back
   PerStroke<Real> band;
 
-  [[nodiscard]] Real wider_band() const {
+  [[nodiscard]] constexpr Real wider_band() const {
     return std::max(band.ascending.value, band.descending.value);
   }
 };
 
-/// Where none is searched it takes no room.
-template <class Real>
-struct SearchedStem<Real, false> {
-  static constexpr bool asked = false;
-  static constexpr Real nats = 0;
-  static constexpr int strokes = 0;
-  static constexpr PerStroke<Real> band = {};
-
-  [[nodiscard]] Real wider_band() const { return Real(0); }
-};
-
 /// What the lags of one cycle ago add to the past of u and y: cycle_memory.hpp.
-template <class Real, bool kSearched = kStemSearch>
+template <class Real>
 struct RememberedCycle {
   Real nats = 0;
 };
-template <class Real>
-struct RememberedCycle<Real, false> {
-  static constexpr Real nats = 0;
-};
 
 /// What a stem foretells that does not stick but is bounded: bounded_stem.hpp.
-template <class Real, bool kSearched = kStemSearch>
+template <class Real>
 struct BoundedFinding {
   Real nats = 0;
   Bound bound = Bound::kSpeed;
 };
-template <class Real>
-struct BoundedFinding<Real, false> {
-  static constexpr Real nats = 0;
-  static constexpr Bound bound = Bound::kSpeed;
-};
 
 /// What a stem tells beside u (E17): closed_loop_evidence.hpp.
-template <class Real, bool kSearched = kStemSearch>
+template <class Real>
 struct StemBesideU {
   Real nats = 0;
 };
-template <class Real>
-struct StemBesideU<Real, false> {
-  static constexpr Real nats = 0;
-};
 
 /// What the stronger stem tells where the setpoint is known, too (E20).
-template <class Real, bool kSearched = kStemSearch>
+template <class Real>
 struct StemBesideSetpoint {
   bool weighed = false;  ///< the setpoint moves, and a stem speaks
   Real nats = 0;
 };
-template <class Real>
-struct StemBesideSetpoint<Real, false> {
-  static constexpr bool weighed = false;
-  static constexpr Real nats = 0;
-};
 
-/// The largest stick band that a step test by hand leaves possible (E21).
+/// What is asked where stems are searched.
 template <class Real, bool kSearched = kStemSearch>
-struct ExcludedBand {
-  Real above = 0;  ///< over the usual swing of u, wider ones are excluded; 0: unknown
+struct StemEvidence {
+  SearchedStem<Real> searched;
+  RememberedCycle<Real> cycle;
+  BoundedFinding<Real> bounded;
+  StemBesideU<Real> beside_u;
+  StemBesideSetpoint<Real> beside_setpoint;
+  /// Of a step test by hand (E21): wider stick bands are excluded, over the usual swing of
+  /// u; 0: unknown.
+  Real excluded_above = 0;
 };
+/// Where none is searched it takes no room.
 template <class Real>
-struct ExcludedBand<Real, false> {
-  static constexpr Real above = 0;
+struct StemEvidence<Real, false> {
+  static constexpr SearchedStem<Real> searched = {};
+  static constexpr RememberedCycle<Real> cycle = {};
+  static constexpr BoundedFinding<Real> bounded = {};
+  static constexpr StemBesideU<Real> beside_u = {};
+  static constexpr StemBesideSetpoint<Real> beside_setpoint = {};
+  static constexpr Real excluded_above = 0;
 };
 
 /// The numbers behind the verdict, all free of units.
 template <class Real>
-struct Evidence {
+struct Evidence : StemEvidence<Real> {
   ValveForm form = ValveForm::kLinear;  ///< simplest valve that the data support
   Real error_ratio = 1;  ///< squared error of the linear valve over that of `form`, ≥ 1
   Real jump_ratio = 1;   ///< the same for a valve without slip jump over `form`
@@ -123,13 +107,7 @@ struct Evidence {
   bool drifts = false;   ///< u, irregularly, further than it swings
   Real stem_nats = 0;    ///< closed-loop evidence of the stem of `form`; if weighed
   int stem_strokes = 0;  ///< how often it turned back
-  [[no_unique_address]] SearchedStem<Real> searched;
-  [[no_unique_address]] RememberedCycle<Real> cycle;
-  [[no_unique_address]] BoundedFinding<Real> bounded;
   [[no_unique_address]] StrokePace<Real> pace;
-  [[no_unique_address]] StemBesideU<Real> beside_u;
-  [[no_unique_address]] StemBesideSetpoint<Real> beside_setpoint;
-  [[no_unique_address]] ExcludedBand<Real> excluded;
 };
 
 /// Whether the searched one of the window's own stems has more closed-loop evidence than
@@ -160,7 +138,7 @@ template <class Real>
 /// u, and of one that is excluded; 0: neither is known.
 template <class Real>
 [[nodiscard]] Real shown_or_excluded(const Evidence<Real>& e, Real ahead) {
-  const Real excluded = e.excluded.above;
+  const Real excluded = e.excluded_above;
   return ahead > Real(0) && excluded > Real(0) ? std::min(ahead, excluded)
                                                : std::max(ahead, excluded);
 }

@@ -84,9 +84,10 @@ enum class Reason : std::uint8_t {
 /// The contract's sentence for a reason: what a technician should know or do.
 [[nodiscard]] std::string_view sentence(Reason reason);
 
-/// The whole answer. Numbers are in the units of the recording unless said otherwise.
+/// What a window says of its valve. Numbers are in the units of the recording unless said
+/// otherwise.
 template <class Real>
-struct Identification {
+struct Findings {
   Verdict verdict = Verdict::kUndecided;
   Reason reason = Reason::kNone;
   OscillationReport<Real> oscillation;  ///< of u
@@ -99,19 +100,24 @@ struct Identification {
   /// The same search behind a linear valve, or that of the valve's forms: the better one.
   Real fit_linear_percent = 0;
   Real fit_valve_percent = 0;  ///< equation (23), physical valve
-  Real aic = 0;                ///< equation (8)
-  Real aic_linear = 0;         ///< of the search's linear valve; 0: it found none
-  TwoPathModel<Real> model;    ///< the paper's model
-  int gain_sign = 1;           ///< sign of the process gain, in model.process.b
-  ValveModel<Real> valve;      ///< the physical valve; friction in units of u
-  int decimation = 1;          ///< samples of the recording per sample of `valve`
+  ModelGapReport<Real> gap;    ///< where the physical valve's model fails
+  Real residual_rms = 0;       ///< of that model, units of y; 0 unknown
+};
+
+/// The whole answer.
+template <class Real>
+struct Identification : Findings<Real> {
+  Real aic = 0;              ///< equation (8)
+  Real aic_linear = 0;       ///< of the search's linear valve; 0: it found none
+  TwoPathModel<Real> model;  ///< the paper's model
+  int gain_sign = 1;         ///< sign of the process gain, in model.process.b
+  ValveModel<Real> valve;    ///< the physical valve; friction in units of u
+  int decimation = 1;        ///< samples of the recording per sample of `valve`
   ControllerAction<Real> controller;
   Evidence<Real> evidence;
   LoopEvidence<Real> loop;
   RecordHealth<Real> health;
   Cause cause = Cause::kUnknown;  ///< of the movement of u and y
-  ModelGapReport<Real> gap;       ///< where the physical valve's model fails
-  Real residual_rms = 0;          ///< of that model, units of y; 0 unknown
 };
 
 }  // namespace ident

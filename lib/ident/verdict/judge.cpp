@@ -119,6 +119,18 @@ bool fitted_speaks_alone(const Evidence<Real>& e) {
   return e.stem_weighed && speaks_alone(e, e.stem_nats);
 }
 
+// Whether the valve that was found explains enough of y, running free, for a stem that
+// only foretells y to be its own, or the stem has nats enough to need none of that. The
+// small sizes, for lack of flash, leave that open.
+template <class Real>
+bool moves_output(const Evidence<Real>& e) {
+  const bool wide = kStemSearch && exact(e.fit_percent) > kMovesNothing &&
+                    exact(e.searched.wider_band()) > kKnowsNoLevel;
+  const bool sure =
+      kStemSearch && exact(beyond_rivals(e, best_nats(e))) > Threshold(kAloneNats);
+  return kSmallSizes || exact(e.fit_percent) > kLeastFit || wide || sure;
+}
+
 template <class Real>
 bool convinces(const Evidence<Real>& e) {
   if (exact(e.score) < kEnough) {
@@ -314,15 +326,6 @@ bool load_may_hide(const Evidence<Real>& e) {
 }
 
 template <class Real>
-bool moves_output(const Evidence<Real>& e) {
-  const bool wide = kStemSearch && exact(e.fit_percent) > kMovesNothing &&
-                    exact(e.searched.wider_band()) > kKnowsNoLevel;
-  const bool sure =
-      kStemSearch && exact(beyond_rivals(e, best_nats(e))) > Threshold(kAloneNats);
-  return kSmallSizes || exact(e.fit_percent) > kLeastFit || wide || sure;
-}
-
-template <class Real>
 bool searched_stem_sticks(const Evidence<Real>& e) {
   const SearchedStem<Real>& stem = e.searched;
   const Real band = stem.wider_band();
@@ -384,7 +387,6 @@ Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
   template Real beyond_rivals<Real>(const Evidence<Real>&, Real);           \
   template bool fitted_valve_sticks<Real>(const Evidence<Real>&);           \
   template bool load_may_hide<Real>(const Evidence<Real>&);                 \
-  template bool moves_output<Real>(const Evidence<Real>&);                  \
   template bool may_stick_together<Real>(const Evidence<Real>&);            \
   template bool searched_stem_sticks<Real>(const Evidence<Real>&);          \
   template bool searched_stem_is_told<Real>(const Evidence<Real>&,          \

@@ -39,12 +39,6 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool load_may_hide(const Evidence<Real>& evidence);
 
-/// Whether the valve that was found explains enough of y, running free, for a stem that
-/// only foretells y to be its own, or the stem has nats enough to need none of that. The
-/// small sizes, for lack of flash, leave that open.
-template <class Real>
-[[nodiscard]] bool moves_output(const Evidence<Real>& evidence);
-
 /// Stick band over the swing. A stem whose band is wider than the usual swing moves by
 /// chance when something happens; it is believed where a fitted valve confirms it running
 /// free, which the small sizes do not ask.

@@ -1,6 +1,7 @@
 #include "ident/verdict/oscillation_cause.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -34,29 +35,13 @@ constexpr double kCoarse = 0.2;
 }  // namespace
 
 std::string_view name(Cause cause) {
-  switch (cause) {
-    case Cause::kUnknown:
-      return "";
-    case Cause::kValve:
-      return "valve";
-    case Cause::kExternalPeriodic:
-      return "external_periodic";
-    case Cause::kTightTuning:
-      return "tight_tuning";
-    case Cause::kSetpoint:
-      return "setpoint";
-    case Cause::kSensor:
-      return "sensor";
-  }
-  return "";
+  constexpr std::array<std::string_view, kCauses> kNames = {
+      "", "valve", "external_periodic", "tight_tuning", "setpoint", "sensor"};
+  return kNames[static_cast<std::size_t>(cause)];
 }
 
 std::string_view sentence(Cause cause) {
   switch (cause) {
-    case Cause::kUnknown:
-    case Cause::kValve:
-    case Cause::kSensor:
-      return "";
     case Cause::kExternalPeriodic:
       return "The oscillation comes from outside this loop: a periodic load, or another "
              "loop with the same period.";
@@ -65,8 +50,9 @@ std::string_view sentence(Cause cause) {
              "limits of the controller output bound its oscillation.";
     case Cause::kSetpoint:
       return "The moving setpoint is what moves the loop.";
+    default:
+      return "";
   }
-  return "";
 }
 
 template <class Real>

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -22,7 +24,11 @@ enum class Verdict : std::uint8_t {
 }
 
 /// The contract's name of a verdict, e.g. "no_stiction".
-[[nodiscard]] std::string_view name(Verdict verdict);
+[[nodiscard]] constexpr std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, 5> kNames = {
+      "stiction", "backlash", "no_stiction", "undecided", "bad_data"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
 
 /// A number with its 95 % interval; meaningless unless `known`.
 template <class Real>

@@ -181,15 +181,12 @@ TEST(SampleWindow, CopiesTheSetpointWhereThereIsOne) {
   std::array<double, 3> u{};
   std::array<double, 3> y{};
   std::array<double, 3> sp{};
-  EXPECT_FALSE(window.has_setpoint());
   window.push({kSecond, 2, -2, 50, true});
-  EXPECT_FALSE(window.has_setpoint());
   EXPECT_EQ(window.copy(u, y, sp), 2U);
   EXPECT_TRUE(std::isnan(sp[0]));
   EXPECT_EQ(sp[1], 50);
   window.push({2 * kSecond, 3, -3, 51, true});
   window.push({3 * kSecond, 4, -4, 52, true});
-  EXPECT_TRUE(window.has_setpoint());
   EXPECT_EQ(window.copy(u, y, sp), 3U);
   EXPECT_EQ(sp, (std::array<double, 3>{50, 51, 52}));
 }

@@ -6,6 +6,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/valve/interval_search.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/problems.hpp"
 
 namespace ident {
@@ -55,7 +56,7 @@ class IntervalsOf : public testing::Test {
   [[nodiscard]] ValveModel<double> evaluate(const ValveModel<double>& of,
                                             bool all_delays) const {
     search->pass().fit(of, all_delays);
-    search->pass().finish();
+    test::finish(search->pass());
     return search->pass().model();
   }
 

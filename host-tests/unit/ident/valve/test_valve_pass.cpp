@@ -27,13 +27,13 @@ TEST(ValvePass, AveragesPositionsWhenDecimated) {
   ValvePass<double> pass;
   pass.start(window, x, scratch);
   pass.place({});
-  pass.finish();
+  test::finish(pass);
   EXPECT_EQ(x, (Values{0.5, 2.5, 4.5}));
   ValveModel<double> backlash;
   backlash.friction.deadband = 2;
   backlash.start_known = true;
   pass.place(backlash);  // x: 0 0 1 2 3 4
-  pass.finish();
+  test::finish(pass);
   EXPECT_EQ(x, (Values{0, 1.5, 3.5}));
 }
 
@@ -100,7 +100,7 @@ TEST_F(PassOver, FitsAsTheRegressionDoesAtOnce) {
 // With another process only: no piece of the placing is done again.
 TEST_F(PassOver, FitsNextAsItWouldAnew) {
   pass->fit(model, true);
-  pass->finish();
+  test::finish(*pass);
   const ValveModel<double> before = pass->model();
   for (const bool other_valve : {false, true}) {
     ValveModel<double> next = before;
@@ -111,7 +111,7 @@ TEST_F(PassOver, FitsNextAsItWouldAnew) {
     const int anew = pieces;
     const double error = pass->model().fit.error;
     pass->fit(before, false);
-    pass->finish();
+    test::finish(*pass);
     pass->fit_next(next);
     dearest();
     EXPECT_EQ(pieces < anew, !other_valve);
@@ -121,7 +121,7 @@ TEST_F(PassOver, FitsNextAsItWouldAnew) {
 
 TEST_F(PassOver, ScreensBehindThePositionsThatAreThere) {
   pass->place(model);
-  pass->finish();
+  test::finish(*pass);
   pass->screen({0.9, 0});
   EXPECT_LE(dearest(), 100);
   ProcessRegression<double> regression;
@@ -133,7 +133,7 @@ TEST_F(PassOver, ScreensBehindThePositionsThatAreThere) {
 // What least squares estimates and what the simulation has agree on so few unknowns.
 TEST_F(PassOver, SimulatesTheErrorThatItFitted) {
   pass->fit(model, true);
-  pass->finish();
+  test::finish(*pass);
   const ValveModel<double> fitted = pass->model();
   pass->simulate(fitted);
   EXPECT_LE(dearest(), 100);
@@ -148,7 +148,7 @@ TEST_F(PassOver, SimulatesTheErrorThatItFitted) {
 
 TEST_F(PassOver, TellsTheRightValveFromAnother) {
   pass->fit(model, true);
-  pass->finish();
+  test::finish(*pass);
   pass->explain(pass->model());
   EXPECT_LE(dearest(), 100);
   EXPECT_LT(pass->structure(), kWhiteResidual);
@@ -156,9 +156,9 @@ TEST_F(PassOver, TellsTheRightValveFromAnother) {
   ValveModel<double> other = model;
   other.friction.slip_ascending = 0.5;
   pass->fit(other, true);
-  pass->finish();
+  test::finish(*pass);
   pass->explain(pass->model());
-  pass->finish();
+  test::finish(*pass);
   EXPECT_GT(pass->structure(), 10);
 }
 
@@ -166,7 +166,7 @@ TEST_F(PassOver, UsesTheFirstSamplesOnly) {
   x.assign(x.size(), 7);
   pass->use(500);
   pass->simulate(model);
-  pass->finish();
+  test::finish(*pass);
   EXPECT_EQ(pass->simulated().size(), 500U);
   EXPECT_NE(x[499], 7);
   EXPECT_EQ(x[500], 7);

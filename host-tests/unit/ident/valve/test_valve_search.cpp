@@ -9,6 +9,7 @@
 
 #include "ident/signal/reversals.hpp"
 #include "ident/valve/valve_search.hpp"
+#include "support/ident/all_at_once.hpp"
 #include "support/ident/loop.hpp"
 
 namespace ident {
@@ -126,7 +127,7 @@ class Search {
   [[nodiscard]] ValveModel<Real> solved(const ValveModel<Real>& model) {
     search_.pass().use(positions_.size());
     search_.pass().fit(model, true);
-    search_.pass().finish();
+    test::finish(search_.pass());
     return search_.pass().model();
   }
   int slices = 0;
@@ -209,7 +210,7 @@ TEST_P(ValveSearchOn, AnUnknownStartLeavesAMovingValveMoving) {
     ValveModel<double> model;
     model.friction = {1 / s.range, 4 / s.range, 4 / s.range, GetParam()};
     search.pass().place(model);
-    search.pass().finish();
+    test::finish(search.pass());
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
     EXPECT_GT((*high - *low) * s.range, 3) << shift;
     w.u.erase(w.u.begin(), w.u.begin() + 41);

@@ -216,7 +216,6 @@ TEST(Cause, HasOneNameEach) {
   EXPECT_EQ(name(Cause::kTightTuning), "tight_tuning");
   EXPECT_EQ(name(Cause::kSetpoint), "setpoint");
   EXPECT_TRUE(name(Cause::kUnknown).empty());
-  EXPECT_TRUE(name(static_cast<Cause>(kCauses)).empty());
 }
 
 TEST(Cause, HasASentenceWhereTheVerdictHasNone) {
@@ -226,7 +225,6 @@ TEST(Cause, HasASentenceWhereTheVerdictHasNone) {
   }
   EXPECT_TRUE(sentence(Cause::kUnknown).empty());
   EXPECT_TRUE(sentence(Cause::kValve).empty());
-  EXPECT_TRUE(sentence(static_cast<Cause>(kCauses)).empty());
 }
 
 LoopEvidence<double> external() {
