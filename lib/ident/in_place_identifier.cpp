@@ -4,6 +4,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/in_place_identifier_full_rate.hpp"
+#include "ident/in_place_identifier_stems.hpp"
 #include "ident/in_place_identifier_weigh.hpp"
 
 namespace ident {
@@ -140,6 +141,11 @@ bool InPlaceIdentifier<Real, Capacity>::work(int budget) {
     case Stage::kReference:
     case Stage::kCompare:
       return valve().pass().run(left);
+    case Stage::kUneven:
+      if constexpr (kStemSearch) {
+        return std::get_if<Uneven>(&last_)->step(valve(), budget);
+      }
+      break;
     case Stage::kIntervals:
       return intervals().step(valve(), budget);
     case Stage::kLinearProcess:
@@ -185,6 +191,8 @@ void InPlaceIdentifier<Real, Capacity>::find_valve() {
       return begin_comparison();
     case Stage::kCompare:
       return compare_cycles();
+    case Stage::kUneven:
+      return after_uneven();
     default:
       return look_at_loop();
   }

@@ -22,6 +22,7 @@
 #include "ident/signal/movement.hpp"
 #include "ident/signal/signal_scale.hpp"
 #include "ident/two_path/structure_search.hpp"
+#include "ident/valve/directional_lag.hpp"
 #include "ident/valve/earlier_valve.hpp"
 #include "ident/valve/full_rate_process.hpp"
 #include "ident/valve/interval_search.hpp"
@@ -116,6 +117,7 @@ class InPlaceIdentifier {
     kWeigh,
     kReference,
     kCompare,
+    kUneven,
     kIntervals,
     kLinearProcess,
     kCrossover,
@@ -187,6 +189,7 @@ class InPlaceIdentifier {
   [[nodiscard]] EvidenceWindow<Real> evidence_window(OneStepSums<Real>& sums);
   void begin_comparison();
   void compare_cycles();
+  void after_uneven();
 
   // The valve is searched on no more than this many (decimated) samples, the newest ones;
   // a window that is no longer is searched whole.
@@ -292,9 +295,11 @@ class InPlaceIdentifier {
   struct StaysHere {};
   using Elsewhere =
       std::conditional_t<kStemSearch, typename ValveSearch<Real>::Elsewhere, StaysHere>;
+  struct NotAsked {};
+  using Uneven = std::conditional_t<kStemSearch, DirectionalLag<Real>, NotAsked>;
   // One after the other.
-  std::variant<std::monostate, Elsewhere, CycleComparison<Real>, IntervalSearch<Real>,
-               GapStage, EvidenceStage>
+  std::variant<std::monostate, Elsewhere, CycleComparison<Real>, Uneven,
+               IntervalSearch<Real>, GapStage, EvidenceStage>
       last_;
   Identification<Real> result_;
 };

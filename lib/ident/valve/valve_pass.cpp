@@ -95,6 +95,14 @@ void ValvePass<Real>::screen(const ProcessPoles<Real>& poles) {
 }
 
 template <class Real>
+void ValvePass<Real>::fit_laid(const ProcessPoles<Real>& poles) {
+  model_.poles = poles;
+  delays_ = every_delay(window_);
+  then_ = Stage::kFit;
+  placed();
+}
+
+template <class Real>
 int ValvePass<Real>::place_some() {
   const int decimation = window_.decimation;
   int cost = kCostOfStart;

@@ -40,6 +40,8 @@ class ValvePass {
   void fit_next(const ValveModel<Real>& model);
   /// A quick look at a process behind the positions that are there.
   void screen(const ProcessPoles<Real>& poles);
+  /// The process solved, all dead times, behind positions that its caller laid there.
+  void fit_laid(const ProcessPoles<Real>& poles);
   /// Stem positions, what the model makes of y, and as the error of its fit what least
   /// squares only estimates.
   void simulate(const ValveModel<Real>& model);

@@ -172,7 +172,10 @@ Reason doubt_bands(Reason found, const Evidence<Real>& e, const PerStroke<Real>&
 template <class Real>
 Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence, Real two_path_fit) {
   const bool curves_do_it = few_turns(evidence) && two_path_fit >= evidence.fit_percent;
-  return is_fault(verdict_of(found)) && curves_do_it ? Reason::kTooFewCycles : found;
+  const bool lag_does_it = exact(evidence.uneven_ratio) >= 1;
+  return is_fault(verdict_of(found)) && (curves_do_it || lag_does_it)
+             ? Reason::kTooFewCycles
+             : found;
 }
 
 template <class Real>

@@ -80,7 +80,8 @@ template <class Real>
 [[nodiscard]] bool few_turns(const Evidence<Real>& evidence);
 /// What few_turns() leaves of a fault that two curves of u (the two-path model) explain
 /// as well: there a curved process, or a load that comes three times, does what a stem
-/// does. `two_path_fit`: its fit, percent.
+/// does. Nor is one told that a lag which depends on direction explains as well (E22).
+/// `two_path_fit`: of the two-path model, percent.
 template <class Real>
 [[nodiscard]] Reason doubt_few_turns(Reason found, const Evidence<Real>& evidence,
                                      Real two_path_fit);

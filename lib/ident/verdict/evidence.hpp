@@ -68,9 +68,12 @@ struct StemEvidence {
   BoundedFinding<Real> bounded;
   StemBesideU<Real> beside_u;
   StemBesideSetpoint<Real> beside_setpoint;
-  /// Of a step test by hand (E21): wider stick bands are excluded, over the usual swing of
-  /// u; 0: unknown.
+  /// Of a step test by hand (E21): wider stick bands are excluded, over the usual swing
+  /// of u; 0: unknown.
   Real excluded_above = 0;
+  /// In a few turns of u (E22): squared error of `form` over that of a process whose lag
+  /// depends on direction, behind a linear valve; 0: not asked.
+  Real uneven_ratio = 0;
 };
 /// Where none is searched it takes no room.
 template <class Real>
@@ -81,6 +84,7 @@ struct StemEvidence<Real, false> {
   static constexpr StemBesideU<Real> beside_u = {};
   static constexpr StemBesideSetpoint<Real> beside_setpoint = {};
   static constexpr Real excluded_above = 0;
+  static constexpr Real uneven_ratio = 0;
 };
 
 /// The numbers behind the verdict, all free of units.

@@ -211,6 +211,18 @@ TEST(Doubts, LeaveAFaultOpenThatTwoCurvesExplainAsWellInTwoTurns) {
       << "nothing is foretold in so short a window";
 }
 
+TEST(Doubts, LeaveAFaultOpenThatALagByDirectionExplainsAsWell) {
+  Evidence<double> e = sticking();
+  e.reversals = 5;
+  e.ladder.predicted = 60;
+  const Reason found = Reason::kSticksBothStrokes;
+  e.uneven_ratio = 0.99;
+  EXPECT_EQ(doubt_few_turns(found, e, 0.0), found);
+  e.uneven_ratio = 1;
+  EXPECT_EQ(doubt_few_turns(found, e, 0.0), Reason::kTooFewCycles);
+  EXPECT_EQ(doubt_few_turns(Reason::kLinearExplains, e, 0.0), Reason::kLinearExplains);
+}
+
 TEST(Doubts, LeaveAFaultOpenWhereABoundedStemTellsMore) {
   Evidence<double> e = sticking();
   e.ladder.nats = 40;

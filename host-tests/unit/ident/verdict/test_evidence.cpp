@@ -136,7 +136,7 @@ TEST_F(Evidences, TheSmallerOfTwoBandsIsToldOfWhichEitherMayBeUnknown) {
   Evidence<double> e;
   EXPECT_EQ(shown_or_excluded(e, 0.0), 0);
   EXPECT_EQ(shown_or_excluded(e, 0.3), 0.3);
-  e.excluded.above = 0.2;
+  e.excluded_above = 0.2;
   EXPECT_EQ(shown_or_excluded(e, 0.0), 0.2);
   EXPECT_EQ(shown_or_excluded(e, 0.3), 0.2);
   EXPECT_EQ(shown_or_excluded(e, 0.1), 0.1);

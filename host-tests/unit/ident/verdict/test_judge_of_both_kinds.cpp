@@ -425,7 +425,7 @@ TEST(JudgeOfBothKinds, ABandThatAStepTestExcludesDoesAsWell) {
     e.by_hand = true;
     e.reversals = 3;
     e.ladder.detectable_band = 0;
-    e.excluded.above = above;
+    e.excluded_above = above;
     return judge(e, false);
   };
   expect(excluded(0.35), Reason::kLinearExplains);
