@@ -61,7 +61,11 @@ struct Options {
   std::string config;
   std::string replay;
   std::string history;
-  LearnSettings learning;
+  std::string can;
+  std::string dbc;
+  std::string seconds;
+  double listen_s = LearnSettings{}.seconds;
+  std::string ask;  // the last one
   std::vector<std::vector<std::uint8_t>> requests;
   bool learn = false;
   bool check = false;
@@ -84,7 +88,7 @@ bool parse_seconds(std::string_view text, double& seconds) {
 }
 
 std::string check_learning(const Options& options) {
-  if (options.learning.can.empty() == options.replay.empty()) {
+  if (options.can.empty() == options.replay.empty()) {
     return "expected one of --can IF and --replay LOG with --learn; see --help";
   }
   if (!options.config.empty() || options.check || options.offline ||
@@ -98,7 +102,7 @@ std::string check_learning(const Options& options) {
 std::string check_together(const Options& options) {
   if (options.help || options.version) return {};
   if (options.learn) return check_learning(options);
-  if (!options.learning.can.empty() || !options.learning.dbc.empty()) {
+  if (!options.can.empty() || !options.dbc.empty()) {
     return "--can and --dbc belong to --learn";
   }
   if (options.config.empty()) return "expected --config FILE; see --help";
@@ -112,51 +116,53 @@ std::string check_together(const Options& options) {
   return {};
 }
 
+struct Word {
+  std::string_view name;
+  bool Options::*flag;  // null: a value follows, for
+  std::string Options::*text;
+};
+
+constexpr std::array kWords = {
+    Word{"--check", &Options::check, nullptr},
+    Word{"--offline", &Options::offline, nullptr},
+    Word{"--learn", &Options::learn, nullptr},
+    Word{"--json", &Options::json, nullptr},
+    Word{"--help", &Options::help, nullptr},
+    Word{"-h", &Options::help, nullptr},
+    Word{"--version", &Options::version, nullptr},
+    Word{"--config", nullptr, &Options::config},
+    Word{"--replay", nullptr, &Options::replay},
+    Word{"--history", nullptr, &Options::history},
+    Word{"--can", nullptr, &Options::can},
+    Word{"--dbc", nullptr, &Options::dbc},
+    Word{"--seconds", nullptr, &Options::seconds},
+    Word{"--ask", nullptr, &Options::ask},
+};
+
 // Empty, or what is wrong with the arguments.
-std::string parse(const std::vector<std::string_view>& words, Options& options) {
+std::string parse(const std::vector<std::string>& words, Options& options) {
   for (std::size_t k = 0; k < words.size(); ++k) {
-    const std::string_view word = words[k];
-    const bool has_value = k + 1 < words.size();
-    if (word == "--check") {
-      options.check = true;
-    } else if (word == "--offline") {
-      options.offline = true;
-    } else if (word == "--learn") {
-      options.learn = true;
-    } else if (word == "--json") {
-      options.json = true;
-    } else if (word == "--help" || word == "-h") {
-      options.help = true;
-    } else if (word == "--version") {
-      options.version = true;
-    } else if (word != "--config" && word != "--replay" && word != "--ask" &&
-               word != "--history" && word != "--can" && word != "--dbc" &&
-               word != "--seconds") {
-      return "expected an option, found \"" + std::string(word) + "\"; see --help";
-    } else if (!has_value) {
-      return "expected a value after " + std::string(word) +
-             ", found nothing; see --help";
-    } else if (word == "--config") {
-      options.config = words[++k];
-    } else if (word == "--replay") {
-      options.replay = words[++k];
-    } else if (word == "--history") {
-      options.history = words[++k];
-    } else if (word == "--can") {
-      options.learning.can = words[++k];
-    } else if (word == "--dbc") {
-      options.learning.dbc = words[++k];
-    } else if (word == "--seconds") {
-      if (!parse_seconds(words[++k], options.learning.seconds)) {
-        return "expected 1 to 86400 after --seconds, found \"" + std::string(words[k]) +
-               '"';
-      }
-    } else {
-      options.requests.push_back(bytes_of(words[++k]));
-      if (options.requests.back().empty()) {
-        return "expected pairs of hex digits after --ask, found \"" +
-               std::string(words[k]) + "\"; write e.g. 22FD10";
-      }
+    const std::string& word = words[k];
+    const auto* const known = std::ranges::find(kWords, word, &Word::name);
+    if (known == kWords.end()) {
+      return "expected an option, found \"" + word + "\"; see --help";
+    }
+    if (known->flag != nullptr) {
+      options.*known->flag = true;
+      continue;
+    }
+    if (++k == words.size()) {
+      return "expected a value after " + word + ", found nothing; see --help";
+    }
+    const std::string& value = options.*known->text = words[k];
+    if (word == "--seconds" && !parse_seconds(value, options.listen_s)) {
+      return "expected 1 to 86400 after --seconds, found \"" + value + '"';
+    }
+    if (word != "--ask") continue;
+    options.requests.push_back(bytes_of(value));
+    if (options.requests.back().empty()) {
+      return "expected pairs of hex digits after --ask, found \"" + value +
+             "\"; write e.g. 22FD10";
     }
   }
   return check_together(options);
@@ -233,9 +239,8 @@ int print_history(const Options& options) {
 }
 
 int learn(const Options& options) {
-  LearnSettings settings = options.learning;
-  settings.log = options.replay;
-  const Learned learned = firmware::learn(settings);
+  const Learned learned =
+      firmware::learn({options.replay, options.can, options.dbc, options.listen_s});
   tell_cut(options.replay, learned.cut_line);
   std::fputs((options.json ? learned_json(learned) : learned_text(learned)).c_str(),
              stdout);

@@ -18,8 +18,7 @@ constexpr int kReadingsPerSample = 4;
 
 bool needs_fd(const config::Gateway& configuration, std::size_t bus) {
   for (const config::Loop& loop : configuration.loops) {
-    for (std::size_t role = 0; role < kRoles; ++role) {
-      const config::Source* source = source_of(loop, static_cast<Role>(role));
+    for (const config::Source* source : sources_of(loop)) {
       if (source && source->kind == config::SourceKind::kCan && source->bus == bus &&
           wire::needs_fd(source->signal)) {
         return true;
@@ -217,19 +216,14 @@ std::string Devices::open_new(const Devices& old) {
     }
     // Converters can be opened twice; one that is away now is no new fault.
     bool operator()(const config::Source& source) const {
-      return std::any_of(configuration.loops.begin(), configuration.loops.end(),
-                         [&](const config::Loop& l) {
-                           for (std::size_t role = 0; role < kRoles; ++role) {
-                             const config::Source* old =
-                                 source_of(l, static_cast<Role>(role));
-                             if (old && same(*old, source)) return true;
-                           }
-                           return false;
-                         });
-    }
-    static bool same(const config::Source& a, const config::Source& b) {
-      return a.kind == b.kind && a.name == b.name && a.channel == b.channel &&
-             a.index == b.index;
+      return std::any_of(
+          configuration.loops.begin(), configuration.loops.end(),
+          [&](const config::Loop& l) {
+            return std::ranges::any_of(sources_of(l), [&](const config::Source* old) {
+              return old && old->kind == source.kind && old->name == source.name &&
+                     old->channel == source.channel && old->index == source.index;
+            });
+          });
     }
   };
   return open(IsOld{old.configuration_});

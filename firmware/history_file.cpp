@@ -22,35 +22,30 @@ constexpr std::size_t kHeaderContent =
     kMagic.size() + wire::kMostLoops * (wire::kTagBytes + 4);
 static_assert(kHeaderContent + wire::kChecksumBytes <= kHistoryHeader);
 
-using Row = std::array<std::uint8_t, wire::kHistoryRowBytes>;
-
 std::int64_t begin_of(int loop) {
   return static_cast<std::int64_t>(kHistoryHeader) +
          (loop - 1) * static_cast<std::int64_t>(kHistoryLoopBytes);
 }
 
-bool read_all(int file, std::span<std::uint8_t> out, std::int64_t offset) {
-  std::size_t done = 0;
-  while (done < out.size()) {
-    const ssize_t count = pread(file, out.data() + done, out.size() - done,
-                                offset + static_cast<std::int64_t>(done));
+// Moves all `bytes` by pread or pwrite.
+template <class Move, class Byte>
+bool move_all(Move move, int file, std::span<Byte> bytes, std::int64_t offset) {
+  while (!bytes.empty()) {
+    const ssize_t count = move(file, bytes.data(), bytes.size(), offset);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return false;
-    done += static_cast<std::size_t>(count);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    offset += count;
   }
   return true;
 }
 
+bool read_all(int file, std::span<std::uint8_t> out, std::int64_t offset) {
+  return move_all(::pread, file, out, offset);
+}
+
 bool write_all(int file, std::span<const std::uint8_t> data, std::int64_t offset) {
-  std::size_t done = 0;
-  while (done < data.size()) {
-    const ssize_t count = pwrite(file, data.data() + done, data.size() - done,
-                                 offset + static_cast<std::int64_t>(done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    done += static_cast<std::size_t>(count);
-  }
-  return true;
+  return move_all(::pwrite, file, data, offset);
 }
 
 // `a` was written after `b`, of a ring that holds fewer than 32,768.

@@ -29,23 +29,15 @@ const char* name_of(Role role) {
   return kNames[static_cast<std::size_t>(role)];
 }
 
-const config::Source* source_of(const config::Loop& loop, Role role) {
+std::array<const config::Source*, kRoles> sources_of(const config::Loop& loop) {
   const auto pointer = [](const std::optional<config::Source>& source) {
     return source ? &*source : nullptr;
   };
-  switch (role) {
-    case Role::kU:
-      return &loop.u;
-    case Role::kY:
-      return &loop.y;
-    case Role::kSp:
-      return pointer(loop.sp);
-    case Role::kMode:
-      return pointer(loop.mode);
-    case Role::kAlive:
-      return pointer(loop.alive);
-  }
-  return nullptr;
+  return {&loop.u, &loop.y, pointer(loop.sp), pointer(loop.mode), pointer(loop.alive)};
+}
+
+const config::Source* source_of(const config::Loop& loop, Role role) {
+  return sources_of(loop)[static_cast<std::size_t>(role)];
 }
 
 LoopInput::LoopInput(const config::Loop& loop)
@@ -55,7 +47,7 @@ LoopInput::LoopInput(const config::Loop& loop)
       resampler_(period_us_, stale_after_us_) {
   for (std::size_t k = 0; k < kRoles; ++k) {
     Signal& s = signals_[k];
-    s.source = source_of(loop, static_cast<Role>(k));
+    s.source = sources_of(loop)[k];
     if (s.source && s.source->ne43) s.current.emplace(limits_of(s.source->limits));
   }
   signal(Role::kU).reach.emplace(loop.span, stale_after_us_);

@@ -53,7 +53,10 @@ struct TwoSenders {
   std::uint8_t other = 0;  ///< newest one that was not used
 };
 
-/// The source of a role; nullptr: not configured.
+/// The sources of a loop by role; nullptr: not configured.
+[[nodiscard]] std::array<const config::Source*, kRoles> sources_of(
+    const config::Loop& loop);
+/// The one of a role.
 [[nodiscard]] const config::Source* source_of(const config::Loop& loop, Role role);
 
 class LoopInput {

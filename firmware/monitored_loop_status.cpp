@@ -36,13 +36,13 @@ LoopVerdict verdict_of(const ident::MonitorReport<float>& report) {
   return LoopVerdict::kUndecided;
 }
 
-double known_or_none(const ident::Estimate<float>& estimate, double scale) {
-  return estimate.known ? static_cast<double>(estimate.value) * scale
-                        : wire::kNotAvailable;
-}
-
-double end_or_none(const ident::Estimate<float>& estimate, float end, double scale) {
-  return estimate.known ? static_cast<double>(end) * scale : wire::kNotAvailable;
+wire::StrokeValues known_or_none(const ident::PerStroke<float>& strokes,
+                                 float ident::Estimate<float>::*part, double scale) {
+  const auto one = [&](const ident::Estimate<float>& estimate) {
+    return estimate.known ? static_cast<double>(estimate.*part) * scale
+                          : wire::kNotAvailable;
+  };
+  return {one(strokes.ascending), one(strokes.descending)};
 }
 
 // How sure the numbers make the verdict, 0 … 1; NaN: it says nothing.
@@ -125,15 +125,9 @@ void MonitoredLoop::show_paths() {
 void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   const double per_span = 100 / (loop_.span[1] - loop_.span[0]);
   const LoopVerdict verdict = verdict_of(report);
-  status_.stick_band_low_pct = {
-      end_or_none(report.stick_band.ascending, report.stick_band.ascending.low, per_span),
-      end_or_none(report.stick_band.descending, report.stick_band.descending.low,
-                  per_span)};
-  status_.stick_band_high_pct = {
-      end_or_none(report.stick_band.ascending, report.stick_band.ascending.high,
-                  per_span),
-      end_or_none(report.stick_band.descending, report.stick_band.descending.high,
-                  per_span)};
+  using E = ident::Estimate<float>;
+  status_.stick_band_low_pct = known_or_none(report.stick_band, &E::low, per_span);
+  status_.stick_band_high_pct = known_or_none(report.stick_band, &E::high, per_span);
   status_.detectable_band_pct =
       report.detectable_band > 0 ? static_cast<double>(report.detectable_band) * per_span
                                  : wire::kNotAvailable;
@@ -154,10 +148,8 @@ void MonitoredLoop::show_window(const ident::MonitorReport<float>& report) {
   remembered_ = true;
   dated_ = false;
   status_.window_verdict = verdict;
-  status_.stick_band_pct = {known_or_none(report.stick_band.ascending, per_span),
-                            known_or_none(report.stick_band.descending, per_span)};
-  status_.slip_jump_pct = {known_or_none(report.slip_jump.ascending, per_span),
-                           known_or_none(report.slip_jump.descending, per_span)};
+  status_.stick_band_pct = known_or_none(report.stick_band, &E::value, per_span);
+  status_.slip_jump_pct = known_or_none(report.slip_jump, &E::value, per_span);
   status_.period_s =
       report.oscillation.detected
           ? static_cast<double>(report.oscillation.period_samples) * loop_.sample_period_s

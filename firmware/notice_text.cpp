@@ -7,6 +7,48 @@
 namespace firmware {
 namespace {
 
+struct Kind {
+  NoticeKind kind;
+  std::string_view name;
+  Priority priority;
+  Topic topic;
+};
+
+constexpr std::array kKinds = {
+    Kind{NoticeKind::kMonitor, "", Priority::kInfo, Topic::kLoops},  // as its event
+    Kind{NoticeKind::kInputFault, "input_fault", Priority::kWarning, Topic::kInputs},
+    Kind{NoticeKind::kInputRestored, "input_restored", Priority::kNotice, Topic::kInputs},
+    Kind{NoticeKind::kFlagRaised, "flag_raised", Priority::kWarning, Topic::kFlags},
+    Kind{NoticeKind::kFlagKept, "flag_kept", Priority::kWarning, Topic::kFlags},
+    Kind{NoticeKind::kFlagLowered, "flag_lowered", Priority::kNotice, Topic::kFlags},
+    Kind{NoticeKind::kBandChanged, "band_changed", Priority::kWarning, Topic::kLoops},
+    Kind{NoticeKind::kTrend, "trend", Priority::kWarning, Topic::kLoops},
+    Kind{NoticeKind::kSpanDoubted, "span_doubted", Priority::kWarning, Topic::kLoops},
+    Kind{NoticeKind::kSignalsSwapped, "signals_swapped", Priority::kWarning,
+         Topic::kLoops},
+    Kind{NoticeKind::kSlowSignal, "slow_signal", Priority::kWarning, Topic::kLoops},
+    Kind{NoticeKind::kTwoSenders, "two_senders", Priority::kWarning, Topic::kLoops},
+    Kind{NoticeKind::kSuspended, "suspended", Priority::kNotice, Topic::kInputs},
+    Kind{NoticeKind::kResumed, "resumed", Priority::kNotice, Topic::kInputs},
+    Kind{NoticeKind::kBusUp, "bus_up", Priority::kNotice, Topic::kGateway},
+    Kind{NoticeKind::kBusDown, "bus_down", Priority::kWarning, Topic::kGateway},
+    Kind{NoticeKind::kBusOff, "bus_off", Priority::kError, Topic::kGateway},
+    Kind{NoticeKind::kAccess, "access", Priority::kWarning, Topic::kGateway},
+    Kind{NoticeKind::kGap, "gap", Priority::kWarning, Topic::kGateway},
+};
+
+constexpr bool kInOrder = [] {
+  for (std::size_t k = 0; k < kKinds.size(); ++k) {
+    if (kKinds[k].kind != static_cast<NoticeKind>(k)) return false;
+  }
+  return kKinds.back().kind == NoticeKind::kGap;
+}();
+static_assert(kInOrder, "kind_of() takes a kind for its place");
+
+const Kind& kind_of(const Notice& notice) {
+  return kKinds[static_cast<std::size_t>(notice.kind)];
+}
+
 void put_band(char* out, std::size_t size, const ident::Estimate<float>& band) {
   if (band.known) {
     std::snprintf(out, size, "%.4g", static_cast<double>(band.value));
@@ -240,96 +282,18 @@ hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
 }
 
 Priority priority_of(const Notice& notice) {
-  switch (notice.kind) {
-    case NoticeKind::kMonitor:
-      return notice.event.kind == ident::EventKind::kStictionRaised ? Priority::kWarning
-                                                                    : Priority::kInfo;
-    case NoticeKind::kInputFault:
-    case NoticeKind::kFlagRaised:
-    case NoticeKind::kFlagKept:
-    case NoticeKind::kBandChanged:
-    case NoticeKind::kTrend:
-    case NoticeKind::kSpanDoubted:
-    case NoticeKind::kSignalsSwapped:
-    case NoticeKind::kSlowSignal:
-    case NoticeKind::kTwoSenders:
-    case NoticeKind::kBusDown:
-    case NoticeKind::kAccess:
-    case NoticeKind::kGap:
-      return Priority::kWarning;
-    case NoticeKind::kBusOff:
-      return Priority::kError;
-    default:
-      return Priority::kNotice;
-  }
+  const bool raised = notice.kind == NoticeKind::kMonitor &&
+                      notice.event.kind == ident::EventKind::kStictionRaised;
+  return raised ? Priority::kWarning : kind_of(notice).priority;
 }
 
 Topic topic_of(const Notice& notice) {
-  switch (notice.kind) {
-    case NoticeKind::kInputFault:
-    case NoticeKind::kInputRestored:
-    case NoticeKind::kSuspended:
-    case NoticeKind::kResumed:
-      return Topic::kInputs;
-    case NoticeKind::kFlagRaised:
-    case NoticeKind::kFlagKept:
-    case NoticeKind::kFlagLowered:
-      return Topic::kFlags;
-    case NoticeKind::kMonitor:
-    case NoticeKind::kBandChanged:
-    case NoticeKind::kTrend:
-    case NoticeKind::kSpanDoubted:
-    case NoticeKind::kSignalsSwapped:
-    case NoticeKind::kSlowSignal:
-    case NoticeKind::kTwoSenders:
-      return Topic::kLoops;
-    default:
-      return Topic::kGateway;
-  }
+  return kind_of(notice).topic;
 }
 
 std::string_view name_of(const Notice& notice) {
-  switch (notice.kind) {
-    case NoticeKind::kMonitor:
-      return ident::name(notice.event.kind);
-    case NoticeKind::kInputFault:
-      return "input_fault";
-    case NoticeKind::kInputRestored:
-      return "input_restored";
-    case NoticeKind::kFlagRaised:
-      return "flag_raised";
-    case NoticeKind::kFlagKept:
-      return "flag_kept";
-    case NoticeKind::kFlagLowered:
-      return "flag_lowered";
-    case NoticeKind::kBandChanged:
-      return "band_changed";
-    case NoticeKind::kTrend:
-      return "trend";
-    case NoticeKind::kSpanDoubted:
-      return "span_doubted";
-    case NoticeKind::kSignalsSwapped:
-      return "signals_swapped";
-    case NoticeKind::kSlowSignal:
-      return "slow_signal";
-    case NoticeKind::kTwoSenders:
-      return "two_senders";
-    case NoticeKind::kSuspended:
-      return "suspended";
-    case NoticeKind::kResumed:
-      return "resumed";
-    case NoticeKind::kBusUp:
-      return "bus_up";
-    case NoticeKind::kBusDown:
-      return "bus_down";
-    case NoticeKind::kBusOff:
-      return "bus_off";
-    case NoticeKind::kAccess:
-      return "access";
-    case NoticeKind::kGap:
-      return "gap";
-  }
-  return "";
+  return notice.kind == NoticeKind::kMonitor ? ident::name(notice.event.kind)
+                                             : kind_of(notice).name;
 }
 
 }  // namespace firmware

@@ -177,17 +177,15 @@ std::vector<std::uint8_t> Replay::ask(std::span<const std::uint8_t> request) {
 std::vector<std::string> sources_beside_can(const config::Gateway& configuration) {
   std::vector<std::string> lines;
   for (const config::Loop& loop : configuration.loops) {
-    for (std::size_t role = 0; role < kRoles; ++role) {
-      const config::Source* source = source_of(loop, static_cast<Role>(role));
-      if (!is_beside_can(source)) continue;
-      const bool is_register = source->kind == config::SourceKind::kModbus;
-      lines.push_back(config::at_place(
-          configuration, source->place,
-          std::string("expected a signal on CAN, found ") +
-              (is_register ? "a Modbus register" : "a converter") +
-              ": a CAN log has no value of it; replay loops whose u and y are on CAN"));
-      break;
-    }
+    const auto sources = sources_of(loop);
+    const auto* const found = std::ranges::find_if(sources, is_beside_can);
+    if (found == sources.end()) continue;
+    const bool is_register = (*found)->kind == config::SourceKind::kModbus;
+    lines.push_back(config::at_place(
+        configuration, (*found)->place,
+        std::string("expected a signal on CAN, found ") +
+            (is_register ? "a Modbus register" : "a converter") +
+            ": a CAN log has no value of it; replay loops whose u and y are on CAN"));
   }
   return lines;
 }
