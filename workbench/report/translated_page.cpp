@@ -4,12 +4,12 @@
 #include <array>
 #include <utility>
 
+#include "workbench/report/html_texts.hpp"
 #include "workbench/report/svg_plot.hpp"
 
 namespace workbench {
 namespace {
 
-constexpr std::array<std::string_view, 3> kSilent = {"style", "script", "code"};
 constexpr std::array<std::string_view, 6> kRead = {
     "aria-label", "title", "placeholder", "data-label", "data-more", "data-at"};
 constexpr std::string_view kEnglish = "<html lang=\"en\"";
@@ -59,40 +59,20 @@ std::string tag_in(std::string_view tag, const Texts& texts) {
 std::string translated_page(std::string_view page, const Texts& texts,
                             std::string_view language) {
   if (texts.empty()) return std::string(page);
-  std::string out;
-  while (!page.empty()) {
-    const std::size_t begin = std::min(page.find('<'), page.size());
-    if (begin > 0) {
-      // The title names the recording first.
-      const std::size_t name = out.ends_with("<title>") ? page.find(": ") : begin;
-      const std::size_t from = name < begin ? name + 2 : 0;
-      out += page.substr(0, from);
-      out += said(page.substr(from, begin - from), texts);
-      page.remove_prefix(begin);
-      continue;
-    }
-    std::size_t end = std::min(page.find('>'), page.size() - 1) + 1;
-    const std::string_view tag = page.substr(0, end);
-    if (tag.starts_with(kEnglish)) {
-      out += "<html lang=\"" + std::string(language) + '"';
-      out += tag.substr(kEnglish.size());
-    } else {
-      out += tag_in(tag, texts);
-    }
-    for (const std::string_view name : kSilent) {
-      const std::string_view rest = tag.substr(1);
-      if (!rest.starts_with(name) ||
-          (rest[name.size()] != '>' && rest[name.size()] != ' ')) {
-        continue;
-      }
-      const std::size_t close = page.find("</" + std::string(name), end);
-      const std::size_t to = std::min(close, page.size());
-      out += page.substr(end, to - end);
-      end = to;
-    }
-    page.remove_prefix(end);
-  }
-  return out;
+  bool in_title = false;
+  const auto text = [&](std::string_view html) {
+    // The title names the recording first.
+    const std::size_t name = in_title ? html.find(": ") : std::string_view::npos;
+    const std::size_t from = name == std::string_view::npos ? 0 : name + 2;
+    return std::string(html.substr(0, from)) + said(html.substr(from), texts);
+  };
+  const auto tag = [&](std::string_view html) {
+    in_title = html == "<title>";
+    if (!html.starts_with(kEnglish)) return tag_in(html, texts);
+    return "<html lang=\"" + std::string(language) + '"' +
+           std::string(html.substr(kEnglish.size()));
+  };
+  return with_texts(page, text, tag);
 }
 
 }  // namespace workbench

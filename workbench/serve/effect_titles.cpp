@@ -3,7 +3,7 @@
 #include <cctype>
 
 #include "workbench/effects/catalogue.hpp"
-#include "workbench/serve/html_texts.hpp"
+#include "workbench/report/html_texts.hpp"
 
 namespace workbench {
 namespace {

@@ -1,7 +1,7 @@
 // The texts of HTML.
 #include <gtest/gtest.h>
 
-#include "workbench/serve/html_texts.hpp"
+#include "workbench/report/html_texts.hpp"
 
 namespace workbench {
 namespace {
@@ -12,17 +12,17 @@ std::string loud(std::string_view html) {
   });
 }
 
-TEST(ServeHtmlTexts, AreWhatStandsBetweenTags) {
+TEST(ReportHtmlTexts, AreWhatStandsBetweenTags) {
   EXPECT_EQ(loud("a<b title=\"x\">c</b>"), "[a]<b title=\"x\">[c]</b>");
   EXPECT_EQ(loud(""), "");
 }
 
-TEST(ServeHtmlTexts, AreNoCodeStyleOrScript) {
+TEST(ReportHtmlTexts, AreNoCodeStyleOrScript) {
   EXPECT_EQ(loud("<code>a</code>b<style>p{}</style><script>1<2</script>"),
             "<code>a</code>[b]<style>p{}</style><script>1<2</script>");
 }
 
-TEST(ServeHtmlTexts, EndWithATagThatIsNotClosed) {
+TEST(ReportHtmlTexts, EndWithATagThatIsNotClosed) {
   EXPECT_EQ(loud("a<b"), "[a]<b");
   EXPECT_EQ(loud("<code>a"), "<code>a");
 }
