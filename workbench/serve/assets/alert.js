@@ -1,5 +1,5 @@
 // What went wrong, in a box on top.
-import {$, capital, element} from './dom.js';
+import {$, button, capital, element} from './dom.js';
 import {say, translated} from './texts.js';
 
 // What the page has where advice names options of the command line.
@@ -40,7 +40,7 @@ export function complain(error, heading = say('That did not work.'), ofFile = fa
   } else {
     parts.push(element('p', {textContent: capital(translated(error.message))}));
   }
-  parts.push(element('button', {type: 'button', textContent: say('Close'), onclick: silence}));
+  parts.push(button(say('Close'), silence));
   $('alert').replaceChildren(...parts);
   $('alert').classList.toggle('of-file', ofFile);
   $('alert').hidden = false;

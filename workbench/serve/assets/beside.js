@@ -2,7 +2,7 @@
 // fitted together with the one that is open. Of one that judges only the initial state is
 // estimated.
 import {get, post} from './api.js';
-import {$, element, number, withUnitOf} from './dom.js';
+import {$, button, element, number, select, withUnit, withUnitOf} from './dom.js';
 import {say, translated} from './texts.js';
 import {unitFor} from './times.js';
 import {picture} from './xy.js';
@@ -53,9 +53,9 @@ export class Beside {
     const body = element('tbody', {}, this.row(state.beside_own, OWN_INK, own,
       say('fitted'), say('open above')));
     recordings.forEach((recording, i) => {
-      const close = element('button', {type: 'button', className: 'small', textContent: say('Close')});
-      close.setAttribute('aria-label', say('Close {0}', recording.name));
-      close.onclick = () => (recording.fitted ? this.together : this.act)(() => post('/api/dismiss', {which: i}));
+      const close = button(say('Close'),
+        () => (recording.fitted ? this.together : this.act)(() => post('/api/dismiss', {which: i})),
+        {className: 'small', ariaLabel: say('Close {0}', recording.name)});
       const said = recording.error ? translated(recording.error.message)
         : recording.fit_percent < 0 ? say('The model says less about it than the mean of its output does: is it another loop?') : '';
       body.append(this.row(recording.name, BESIDE_INKS[i], recording, this.part(recording, i),
@@ -73,14 +73,12 @@ export class Beside {
 
   // Whether it is fitted or only judges.
   part(recording, i) {
-    const choice = element('select', {id: `part-${i}`, ariaLabel: say('The part of {0}', recording.name)},
-      element('option', {value: '', textContent: say('only judges'), selected: !recording.fitted}),
-      element('option', {value: 'fit', textContent: say('is fitted, too'), selected: recording.fitted}));
-    choice.onchange = async () => {
-      await this.together(() => post('/api/together', {which: i, fit: choice.value === 'fit'}));
+    const chosen = recording.fitted ? 'fit' : '';
+    const choice = select([['', say('only judges')], ['fit', say('is fitted, too')]], chosen, async part => {
+      await this.together(() => post('/api/together', {which: i, fit: part === 'fit'}));
       // What was refused is not so.
-      if (choice.isConnected && !document.getElementById('alert').hidden) choice.value = recording.fitted ? 'fit' : '';
-    };
+      if (choice.isConnected && !document.getElementById('alert').hidden) choice.value = chosen;
+    }, {id: `part-${i}`, ariaLabel: say('The part of {0}', recording.name)});
     return choice;
   }
 
@@ -97,6 +95,6 @@ export class Beside {
     const lines = [{label: say('measured {0}', y), ink: BESIDE_INKS[i], x, y: p.measured}];
     if (p.simulated.length) lines.push({label: say('simulated {0}', y), ink: 'valve', x, y: p.simulated});
     return [picture({title: name, xLabel: say('time, {0}', unit),
-      yLabel: units[y] ? `${y}, ${units[y]}` : y, lines, width: 440})];
+      yLabel: withUnit(y, units[y]), lines, width: 440})];
   }
 }

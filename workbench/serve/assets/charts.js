@@ -1,6 +1,6 @@
 // Measured and simulated output, residual and u over one time axis, zoomed together.
-import {colour, drawn, number} from './dom.js';
-import {envelope, stretch} from './envelope.js';
+import {colour, drawn, number, withUnit} from './dom.js';
+import {envelope, extent, stretch} from './envelope.js';
 import {drawLine} from './lines.js';
 import {Overview} from './overview.js';
 import {Shading} from './shading.js';
@@ -159,7 +159,6 @@ export class Charts {
     this.shading.of(this.data);
     this.overview.values = null;  // its colours may be others
     const d = this.data, y = d.output;
-    const withUnit = name => this.units[name] ? `${name}, ${this.units[name]}` : name;
     const line = (label, ink, width, values, more = {}) => ({label, ink, width, values, more});
     const output = this.measured();
     if (d.sp) output.push(line(say('setpoint'), 'setpoint', 1.4, d.sp, {dash: [6, 4]}));
@@ -168,12 +167,12 @@ export class Charts {
     const around = d.residual ? spread(d.residual) : 0;
     if (d.simulated) output.push(line(say('simulated {0}', y), 'valve', 1.5, d.simulated, {around}));
     for (const {label, ink, values} of Object.values(this.over).flat()) output.push(line(label, ink, 1.3, values));
-    this.add('output', withUnit(y), output);
+    this.add('output', withUnit(y, this.units[y]), output);
     if (d.residual) {
       this.index.residual = [line(say('residual'), 'linear', 1.2, d.residual)];
       this.add('residual', say('residual'), this.index.residual);
     }
-    this.add('u', withUnit('u'), [line(say('controller output u'), 'two-path', 1.3, d.u)], this.label);
+    this.add('u', withUnit('u', this.units.u), [line(say('controller output u'), 'two-path', 1.3, d.u)], this.label);
     this.refresh();
   }
 
@@ -225,11 +224,7 @@ export class Charts {
   reach(name, least, most) {
     const seen = this.plots.find(item => item.name === name)?.seen;
     if (!seen) return [least ?? 0, most ?? 1];
-    let low = Infinity, high = -Infinity;
-    for (const {lows, highs} of seen) {
-      for (const value of lows) if (value !== null && value < low) low = value;
-      for (const value of highs) if (value !== null && value > high) high = value;
-    }
+    const [low, high] = extent(seen.flatMap(({lows, highs}) => [lows, highs]));
     const room = 0.05 * (high - low) || 1;
     // The strip below the residual has a place of its own.
     const below = name === 'residual' ? 3 * room : room;

@@ -1,7 +1,7 @@
 // The chooser: what a file holds, a plot of each signal, and which of them is what.
 import {complain, silence} from './alert.js';
 import {ApiError, GivenUp, post, withQuery} from './api.js';
-import {$, drawn, element, number} from './dom.js';
+import {$, button, drawn, element, number, select} from './dom.js';
 import {say, translated} from './texts.js';
 
 const ROLES = ['u', 'y', 'sp', 'x'], LOAD = 'load';
@@ -22,14 +22,12 @@ function spark({points, low, high}) {
     'aria-hidden': 'true'}, drawn('path', {class: 'line two-path', d}));
 }
 
-function select(label, values, chosen, onchange) {
-  const box = element('select', {}, ...values.map(([value, text]) =>
-    element('option', {value, textContent: text, selected: value === chosen})));
-  box.onchange = () => onchange(box.value);
-  return element('label', {}, element('span', {textContent: label + ' '}), box);
-}
+const labelled = (label, ...choice) =>
+  element('label', {}, element('span', {textContent: label + ' '}), select(...choice));
 
 const marks = () => [['point', say('a decimal point')], ['comma', say('a decimal comma')]];
+const orders = () => [['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
+  ['ymd', say('year, month, day')]];
 
 // Shows what `file` holds and calls open(query) with the user's choice. Throws ApiError.
 export class Columns {
@@ -73,16 +71,12 @@ export class Columns {
   }
 
   dates() {
-    if (this.asksForMark()) {
-      return [element('p', {className: 'choices dates'}, ...marks().map(([mark, textContent]) => element('button',
-        {type: 'button', className: 'primary', textContent, onclick: () => this.again({decimal: mark})})))];
-    }
+    const offer = (key, choices) => [element('p', {className: 'choices dates'}, ...choices.map(([value, text]) =>
+      button(text, () => this.again({[key]: value}), {className: 'primary'})))];
+    if (this.asksForMark()) return offer('decimal', marks());
     if (!this.asksForDates()) return [];
-    const orders = [['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
-      ['ymd', say('year, month, day')]];
-    const offered = orders.filter(([order]) => this.problem.advice?.includes(order));
-    return [element('p', {className: 'choices dates'}, ...(offered.length ? offered : orders).map(([order, textContent]) => element('button',
-      {type: 'button', className: 'primary', textContent, onclick: () => this.again({date_order: order})})))];
+    const offered = orders().filter(([order]) => this.problem.advice?.includes(order));
+    return offer('date_order', offered.length ? offered : orders());
   }
 
   async again(change) {
@@ -117,11 +111,9 @@ export class Columns {
     const role = this.roleOf(signal.name);
     const name = signal.unit && !signal.name.includes(signal.unit)
       ? `${signal.name} [${signal.unit}]` : signal.name;
-    const box = element('select', {}, ...['', ...ROLES, LOAD].map(value => element('option',
-      {value, textContent: roleText(value), selected: value === role})));
+    const box = select(['', ...ROLES, LOAD].map(value => [value, roleText(value)]), role,
+      value => this.choose(signal.name, value), {ariaLabel: say('{0} is', name)});
     box.dataset.signal = signal.name;
-    box.setAttribute('aria-label', say('{0} is', name));
-    box.onchange = () => this.choose(signal.name, box.value);
     return element('li', {className: role ? 'chosen' : ''},
       element('strong', {textContent: name}), spark(signal),
       element('span', {className: 'fine', textContent:
@@ -132,18 +124,17 @@ export class Columns {
     const out = element('p', {className: 'options'});
     const columns = this.found.columns.map((name, i) => [`#${i + 1}`, name]);
     const [, column, unit = ''] = /^(.*?)(?: \[(.*)\])?$/.exec(this.query.time ?? '');
-    out.append(select(say('Time is'), [['', say('found by itself')], ...columns],
+    out.append(labelled(say('Time is'), [['', say('found by itself')], ...columns],
       column, value => this.again({time: value, ts: ''})));
     // Dates need none.
     if (column && !this.found.start) {
-      out.append(select(say('counted in'), [['', say('the unit of its name, or s')], ...UNITS.map(name => [name, name])],
+      out.append(labelled(say('counted in'), [['', say('the unit of its name, or s')], ...UNITS.map(name => [name, name])],
         unit, value => this.again({time: value ? `${column} [${value}]` : column, ts: ''})));
     }
-    out.append(select(say('Dates are'), [['', say('recognised automatically')],
-      ['dmy', say('day, month, year')], ['mdy', say('month, day, year')],
-      ['ymd', say('year, month, day')]], this.query.date_order ?? '',
+    out.append(labelled(say('Dates are'), [['', say('recognised automatically')],
+      ...orders()], this.query.date_order ?? '',
     value => this.again({date_order: value})));
-    out.append(select(say('Decimal mark'), [['', say('recognised automatically')],
+    out.append(labelled(say('Decimal mark'), [['', say('recognised automatically')],
       ...marks()], this.query.decimal ?? '',
     value => this.again({decimal: value})));
     const period = element('input', {type: 'text', inputMode: 'decimal', size: 6,
@@ -166,10 +157,8 @@ export class Columns {
     return [element('p', {className: 'choices loops'},
       element('span', {textContent: say('Open the loop')}), ...loops.map(({name, ...roles}) => {
         const still = ['u', 'y'].find(role => this.rests(roles[role])), title = name || `${roles.u}, ${roles.y}`;
-        const button = element('button', {type: 'button', disabled: Boolean(still),
-          textContent: still ? say('{0}: {1} does not move', title, still) : title});
-        button.onclick = () => this.use(roles);
-        return button;
+        return button(still ? say('{0}: {1} does not move', title, still) : title,
+          () => this.use(roles), {disabled: Boolean(still)});
       }))];
   }
 
@@ -190,19 +179,16 @@ export class Columns {
     const {found} = this, list = element('ul', {className: 'signals'});
     for (const signal of found.signals) list.append(this.card(signal));
     const ready = this.roles.u && (this.roles.y || this.roles.x) && !found.needs_time;
-    const go = element('button', {type: 'button', className: 'primary',
-      textContent: say('Use these columns'), disabled: !ready});
+    const go = button(say('Use these columns'), () => this.use(this.roles),
+      {className: 'primary', disabled: !ready});
     const said = [this.taken, this.lacks()].filter(Boolean).join(' ');
     const why = element('p', {id: 'columns-why', className: 'fine', textContent: said, hidden: !said});
     why.setAttribute('role', 'status');
-    go.onclick = () => this.use(this.roles);
-    const rest = element('button', {type: 'button', textContent: say('All others are loads')});
-    rest.onclick = () => {
+    const rest = button(say('All others are loads'), () => {
       found.signals.forEach(({name}) => this.roleOf(name) || this.rests(name) || this.loads.add(name));
       this.draw();
-    };
-    const cancel = element('button', {type: 'button', textContent: say('Cancel')});
-    cancel.onclick = () => this.hide();
+    });
+    const cancel = button(say('Cancel'), () => this.hide());
     const what = [element('h1', {id: 'columns-title',
       textContent: this.asksForDates()
       ? say('How are the dates of {0} written?', found.name) : say('Which columns of {0}?', found.name)})];

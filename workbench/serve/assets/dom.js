@@ -9,6 +9,18 @@ export function element(tag, attributes = {}, ...children) {
   return out;
 }
 
+// `more`: further attributes.
+export const button = (textContent, onclick, more = {}) =>
+  element('button', {type: 'button', textContent, onclick, ...more});
+
+// A choice among [value, text]; onchange() is called with the value.
+export function select(choices, chosen, onchange, more = {}) {
+  const out = element('select', more, ...choices.map(([value, textContent]) =>
+    element('option', {value, textContent, selected: value === chosen})));
+  out.onchange = () => onchange(out.value);
+  return out;
+}
+
 const SVG = 'http://www.w3.org/2000/svg';
 export function drawn(tag, attributes = {}, ...children) {
   const out = document.createElementNS(SVG, tag);
@@ -23,6 +35,8 @@ export const capital = text => text.charAt(0).toUpperCase() + text.slice(1);
 export const number = (value, digits = 3) => value == null || !Number.isFinite(value) ? '–'
   : Number(value.toPrecision(digits)).toLocaleString(language,
     {maximumSignificantDigits: digits, useGrouping: false}).replace('-', '−');
+
+export const withUnit = (text, unit) => unit ? `${text}, ${unit}` : text;
 
 // What is said of the output, with its unit or, unknown, "units of y".
 export const withUnitOf = (text, output, units) =>

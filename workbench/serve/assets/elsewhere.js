@@ -2,7 +2,7 @@
 // page says so, keeps what it shows, and the user chooses. Its session, kept from time to
 // time, brings the recording back with its models.
 import {ApiError, getText, post, showsOpening, shownOpening, withQuery} from './api.js';
-import {$, element} from './dom.js';
+import {$, button, element} from './dom.js';
 import {say} from './texts.js';
 
 const MOST_CHARACTERS = 60e6;  // the server takes bodies of 64 MiB
@@ -38,8 +38,6 @@ export class Elsewhere {
 
   draw(now, name, anew) {
     const other = now.recording?.name;
-    const button = (textContent, onclick, className = '') =>
-      element('button', {type: 'button', textContent, onclick, className});
     const buttons = [button(other ? say('Show {0}', other) : say('Begin anew'), () => location.reload())];
     const {text} = this.kept;
     if (text) {
@@ -47,7 +45,7 @@ export class Elsewhere {
         await post(withQuery('/api/session', {name: 'session.json'}), text);
         location.reload();
         return new Promise(() => {});
-      }), anew ? 'primary' : ''));
+      }), {className: anew ? 'primary' : ''}));
     }
     $('elsewhere').replaceChildren(
       element('h1', {textContent: anew

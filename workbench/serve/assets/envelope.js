@@ -12,6 +12,19 @@ const firstAtLeast = (t, value) => {
   return low;
 };
 
+// Lowest and highest value of lists; null is no value.
+export function extent(lists) {
+  let low = Infinity, high = -Infinity;
+  for (const list of lists) {
+    for (const value of list) {
+      if (value == null) continue;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return [low, high];
+}
+
 // What lies between `min` and `max`, and one sample on either side.
 export function stretch(t, min, max) {
   return [Math.max(firstAtLeast(t, min) - 1, 0), Math.min(firstAtLeast(t, max) + 1, t.length)];

@@ -1,5 +1,5 @@
 // What to beware of in a recording, kind by kind: how often, and where it is next.
-import {$, element} from './dom.js';
+import {$, button, element} from './dom.js';
 import {say} from './texts.js';
 
 const said = (kind, count) => ({
@@ -22,17 +22,13 @@ export function showFacts(marks, charts, leaveOut) {
   const buttons = [...kinds].map(([kind, places]) => {
     let next = 0;
     const text = said(kind, places.length);
-    const button = element('button', {type: 'button', className: 'small', textContent: text});
-    button.setAttribute('aria-label', say('Show the next: {0}', text));
-    button.onclick = () => {
+    return button(text, () => {
       const [from, to] = places[next++ % places.length];
       charts.lookAt(from, to);
-    };
-    return button;
+    }, {className: 'small', ariaLabel: say('Show the next: {0}', text)});
   });
   if (kinds.has('manual') && leaveOut) {
-    buttons.push(element('button', {type: 'button', className: 'small',
-      textContent: say('Leave out what is in manual'), onclick: leaveOut}));
+    buttons.push(button(say('Leave out what is in manual'), leaveOut, {className: 'small'}));
   }
   $('facts').hidden = !buttons.length;
   $('facts').replaceChildren(...(buttons.length

@@ -1,6 +1,6 @@
 // What the page says about the model: parts as the server writes them, with buttons.
 import {get} from './api.js';
-import {$, capital, element, number} from './dom.js';
+import {$, button, capital, element, number} from './dom.js';
 import {say, translate, translated} from './texts.js';
 import {reconcile} from './valve.js';
 
@@ -52,14 +52,11 @@ function showPlaces(failures, places, charts) {
   failures.forEach((failure, i) => {
     const [from, to] = places[i] ?? failure.t;
     if (failure.view === 'frequency' || !(to > from) || !panels[i]) return;
-    const button = element('button', {type: 'button', className: 'small',
-      textContent: say('Show the worst stretch')});
-    button.onclick = () => {
+    panels[i].append(button(say('Show the worst stretch'), () => {
       charts.lookAt(from, to);
       $('charts').scrollIntoView({block: 'center'});
       $('charts').focus({preventScroll: true});
-    };
-    panels[i].append(button);
+    }, {className: 'small'}));
   });
 }
 
@@ -96,12 +93,8 @@ function showCandidates(parts, state, add, preview) {
     ...others.map(codes => codeButton(codes, capital(say('or {0}', titlesOf(codes))), '', add))));
 }
 
-function codeButton(codes, text, className, run) {
-  const button = element('button', {type: 'button', className, textContent: text});
-  button.setAttribute('aria-label', `${text}: ${titlesOf(codes)}`);
-  button.onclick = () => run(codes, titlesOf(codes));
-  return button;
-}
+const codeButton = (codes, text, className, run) => button(text,
+  () => run(codes, titlesOf(codes)), {className, ariaLabel: `${text}: ${titlesOf(codes)}`});
 
 // Says once what the last addition, or the last fit from values set by hand, brought.
 export function showFall(before, model) {
@@ -136,11 +129,9 @@ export function sayStopped(task, effects) {
 // In place of the model's verdict when the search was stopped.
 export function showStopped(again) {
   if ($('verdict').querySelector('.not-explained')) return;
-  const button = element('button', {type: 'button', className: 'primary',
-    textContent: say('Find out what is missing')});
-  button.onclick = again;
   $('verdict').replaceChildren(element('div', {className: 'verdict not-explained'},
     element('h2', {textContent: say('Not explained yet.')}),
     element('p', {textContent: say('The search for what the model lacks was stopped.')}),
-    element('div', {className: 'choices'}, button)));
+    element('div', {className: 'choices'},
+      button(say('Find out what is missing'), again, {className: 'primary'}))));
 }

@@ -1,6 +1,6 @@
 // The whole recording in a strip, with what the charts show of it; drag to move along.
 import {colour} from './dom.js';
-import {envelope} from './envelope.js';
+import {envelope, extent} from './envelope.js';
 
 const HEIGHT = 46, LEFT = 52;
 
@@ -73,9 +73,7 @@ export class Overview {
     const seen = envelope(t, [values], [0, t.length], wide - LEFT);
     const {mean, low, high} = seen.signals[0];
     const least = seen.dense ? low : mean, most = seen.dense ? high : mean;
-    let bottom = Infinity, top = -Infinity;
-    for (const value of least) if (value < bottom) bottom = value;
-    for (const value of most) if (value > top) top = value;
+    const [bottom, top] = extent([least, most]);
     const y = value => HEIGHT - 3 - (HEIGHT - 6) * (value - bottom) / (top - bottom || 1);
     ctx.strokeStyle = colour('measured');
     ctx.beginPath();

@@ -2,7 +2,7 @@
 import {ApiError, get, post} from './api.js';
 import {complain} from './alert.js';
 import {parameterWords} from './direction.js';
-import {$, capital, element, noNumber, number, readNumber, written} from './dom.js';
+import {$, button, capital, element, noNumber, number, readNumber, select, written} from './dom.js';
 import {say, translated} from './texts.js';
 
 const STEPS = 1000;
@@ -62,10 +62,9 @@ export class Play {
   // A number that stands for a choice: its words.
   choice(group, name, parameter, put, fixed) {
     const words = capital(parameterWords(parameter.words));
-    const box = element('select', {ariaLabel: `${this.title(group)}: ${words}`},
-      ...parameter.choices.map(([value, text]) => element('option',
-        {value, textContent: translated(text), selected: text === parameter.choice})));
-    box.onchange = () => put(Number(box.value));
+    const box = select(parameter.choices.map(([value, text]) => [value, translated(text)]),
+      parameter.choices.find(([, text]) => text === parameter.choice)?.[0],
+      value => put(Number(value)), {ariaLabel: `${this.title(group)}: ${words}`});
     return element('li', {className: 'chosen'}, element('span', {textContent: words}), box,
       element('label', {className: 'fine'}, fixed, ' ' + say('fixed')));
   }
@@ -143,16 +142,14 @@ export class Play {
     this.problems.setAttribute('role', 'alert');
     this.said = element('p', {className: 'tried'});
     this.said.setAttribute('role', 'status');
-    this.keep = element('button', {type: 'button', textContent: say('Keep these values'), disabled: true});
-    this.fit = element('button', {type: 'button', textContent: say('Fit from here')});
-    this.back = element('button', {type: 'button', textContent: say('Back to the model'), disabled: true});
-    this.keep.onclick = () => this.change(() => post('/api/try?then=keep', this.values));
-    this.fit.onclick = () => this.refit(() => post('/api/try?then=refit', this.wish()));
-    this.back.onclick = () => {
+    this.keep = button(say('Keep these values'),
+      () => this.change(() => post('/api/try?then=keep', this.values)), {disabled: true});
+    this.fit = button(say('Fit from here'), () => this.refit(() => post('/api/try?then=refit', this.wish())));
+    this.back = button(say('Back to the model'), () => {
       this.charts.tryOut(null);
       this.values = {};
       this.draw();
-    };
+    }, {disabled: true});
     const details = element('details', {open: $('play').querySelector('details')?.open ?? false},
       element('summary', {textContent: say('Play with the model: move a parameter and watch the curves')}),
       element('p', {className: 'fine', textContent: say('A fit from here leaves what is fixed as it is.')}),

@@ -1,7 +1,7 @@
 // A candidate before it is added: its curve over the model's, fit and errors beside it.
 import {get, post} from './api.js';
 import {parameterWords} from './direction.js';
-import {$, capital, element, number, withUnitOf} from './dom.js';
+import {$, button, capital, element, number, withUnitOf} from './dom.js';
 import {say, translated} from './texts.js';
 
 export class Preview {
@@ -41,13 +41,12 @@ export class Preview {
     const values = seen.effects.filter(term => seen.previewed.includes(term.effect))
       .flatMap(term => Object.values(term.parameters)).map(p => `${capital(parameterWords(p.words))}: ` +
         (p.choice ? translated(p.choice) : number(p.value, 4) + (p.unit_in_words && ' ' + p.unit_in_words)));
-    const take = element('button', {type: 'button', className: 'primary', textContent: say('Put it into the model')});
-    take.onclick = () => this.add(seen.previewed, name);
-    const drop = element('button', {type: 'button', textContent: say('Leave it')});
-    drop.onclick = () => {
+    const take = button(say('Put it into the model'), () => this.add(seen.previewed, name),
+      {className: 'primary'});
+    const drop = button(say('Leave it'), () => {
       this.drop();
       this.left = true;  // the same one may be asked for again
-    };
+    });
     $('preview').replaceChildren(
       element('h3', {textContent: say('Preview: the model with {0}', name)}),
       element('div', {className: 'scroll'}, table),

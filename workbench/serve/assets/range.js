@@ -1,9 +1,9 @@
 // Choosing the data: what is seen in the charts is fitted or judged alone, or left out.
 import {post} from './api.js';
-import {$, element} from './dom.js';
+import {$, button, element} from './dom.js';
 import {say} from './texts.js';
 
-const button = (text, onclick) => element('button', {type: 'button', className: 'small', textContent: text, onclick});
+const small = (text, onclick) => button(text, onclick, {className: 'small'});
 
 export class Range {
   constructor(charts, change) {
@@ -34,10 +34,10 @@ export class Range {
       const [from, to] = this.range;
       items.push(element('span', {textContent: say('What is seen:')}));
       if (!part) {
-        items.push(button(say('Judge and fit it alone'), ask('fit', this.range)));
-        if (model) items.push(button(say('Judge this model on it'), ask('judge', this.range)));
+        items.push(small(say('Judge and fit it alone'), ask('fit', this.range)));
+        if (model) items.push(small(say('Judge this model on it'), ask('judge', this.range)));
       }
-      items.push(button(say('Leave it out'), () => this.change(async () => {
+      items.push(small(say('Leave it out'), () => this.change(async () => {
         const state = await post('/api/leave_out', {from, to});
         this.charts.zoom('all');
         return state;
@@ -45,12 +45,12 @@ export class Range {
     }
     if (part) {
       items.push(element('span', {textContent: say('A range of the recording is open.')}),
-        button(say('Open all of it'), ask('fit')));
-      if (model) items.push(button(say('Judge this model on all of it'), ask('judge')));
+        small(say('Open all of it'), ask('fit')));
+      if (model) items.push(small(say('Judge this model on all of it'), ask('judge')));
     }
     if (without) {
       items.push(element('span', {textContent: say('Grey stretches are left out.')}),
-        button(say('Take them in again'), () => this.change(() => post('/api/leave_out', {}))));
+        small(say('Take them in again'), () => this.change(() => post('/api/leave_out', {}))));
     }
     const key = [...items.map(item => item.textContent), Boolean(job), ...this.range ?? []].join();
     if (key === this.drawn) return;

@@ -1,5 +1,6 @@
 // The residual sample by sample, over what may cause it.
-import {$, element} from './dom.js';
+import {$, element, withUnit} from './dom.js';
+import {extent} from './envelope.js';
 import {say} from './texts.js';
 import {picture} from './xy.js';
 
@@ -7,12 +8,7 @@ const MOST = 3000;  // points drawn
 
 // 0 at a lower reversal of u, 1 at the next; reversals are told by a tenth of the span.
 function phase(u) {
-  let low = Infinity, high = -Infinity;
-  for (const value of u) {
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  const room = (high - low) / 10, turns = [];
+  const [low, high] = extent([u]), room = (high - low) / 10, turns = [];
   let rising = false, best = 0;
   u.forEach((value, k) => {
     if (rising ? value > u[best] : value < u[best]) best = k;
@@ -43,7 +39,6 @@ export function showScatter(data, units) {
   const box = $('scatter');
   box.hidden = !data.residual;
   if (!data.residual) return;
-  const withUnit = (text, unit) => unit ? `${text}, ${unit}` : text;
   const names = {
     u: withUnit(say('controller output u'), units.u),
     speed: say('speed of u, {0}', units.u ? `${units.u}/s` : 'u/s'),

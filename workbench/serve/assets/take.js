@@ -1,9 +1,7 @@
 // What the user takes along: session, model, signals, pictures, commands.
 import {get, save} from './api.js';
-import {$, element} from './dom.js';
+import {$, button, element} from './dom.js';
 import {say} from './texts.js';
-
-const button = (text, onclick) => element('button', {type: 'button', textContent: text, onclick});
 
 export class Take {
   // saveFrom(path) saves a file of the server.

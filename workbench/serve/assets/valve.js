@@ -1,6 +1,6 @@
 // The verdict on the valve: one line, its band, what to do, and the pictures that show it.
 import {get} from './api.js';
-import {$, drawn, duration, element, number} from './dom.js';
+import {$, drawn, duration, element, number, select, withUnit} from './dom.js';
 import {ANSWERS, bandNames, ofValve, opens} from './direction.js';
 import {say, translated} from './texts.js';
 import {clockOf, clockText, dayText, unitFor} from './times.js';
@@ -39,8 +39,7 @@ function bandLine(name, band, unit, ink) {
 function pictures(valve, {units, start, from_s: first, samples, sample_period_s: period}) {
   const p = valve.picture;
   if (!p) return [];
-  const label = (name, unit) => unit ? `${name}, ${unit}` : name;
-  const uLabel = label(say('controller output u'), units.u);
+  const uLabel = withUnit(say('controller output u'), units.u);
   const out = [];
   if (p.stem && valve.mood !== 'open') {
     // By the clock from where the picture begins, else as in the charts.
@@ -52,7 +51,7 @@ function pictures(valve, {units, start, from_s: first, samples, sample_period_s:
     out.push(picture({
       title: say('The valve: what is asked and where the stem is'),
       xLabel: clock === null ? say('time, {0}', unit) : say('time, {0} from {1}', unit, day + clockText(at, span < 7200)),
-      yLabel: label('u', units.u),
+      yLabel: withUnit('u', units.u),
       lines: [
         {label: say('controller output u'), ink: 'measured', x: t, y: p.u},
         {label: say('stem, identified'), ink: 'valve', broad: true,
@@ -63,7 +62,7 @@ function pictures(valve, {units, start, from_s: first, samples, sample_period_s:
   }
   out.push(picture({
     title: say('Process output over controller output'),
-    xLabel: uLabel, yLabel: label(say('process output y'), units.y),
+    xLabel: uLabel, yLabel: withUnit(say('process output y'), units.y),
     lines: [{label: 'y', ink: 'two-path', x: p.u, y: p.y}],
     caption: valve.mood === 'bad'
       ? say('A sticking valve draws a parallelogram: u runs on while y waits.') : ''}));
@@ -81,9 +80,7 @@ function seen(valve) {
 // The third question, of the recording that is open.
 function direction(valve, sayOpens) {
   if (!bands(valve.band).length) return [];
-  const choice = element('select', {id: 'direction'}, ...ANSWERS().map(([value, textContent]) =>
-    element('option', {value, textContent, selected: value === opens()})));
-  choice.onchange = () => sayOpens(choice.value);
+  const choice = select(ANSWERS(), opens(), sayOpens, {id: 'direction'});
   return [element('label', {className: 'fine'}, say('Does a higher output open the valve?') + ' ', choice)];
 }
 

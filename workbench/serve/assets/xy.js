@@ -1,5 +1,6 @@
 // Small pictures with any two axes, as SVG in the style of the report.
 import {drawn, element, number} from './dom.js';
+import {extent} from './envelope.js';
 
 const LEFT = 50, RIGHT = 10, TOP = 10, BOTTOM = 40;
 
@@ -8,16 +9,8 @@ const step = (span, count) => {
   return power * [1, 2, 5, 10].find(f => f * power >= rough);
 };
 
-function extent(lists) {
-  let low = Infinity, high = -Infinity;
-  for (const list of lists) {
-    for (const value of list) {
-      if (value == null) continue;
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-  }
-  const room = (high - low || 1) * 0.04;
+function roomy(lists) {
+  const [low, high] = extent(lists), room = (high - low || 1) * 0.04;
   return [low - room, high + room];
 }
 
@@ -32,7 +25,7 @@ const ticks = ([low, high], count) => {
 // A figure: legend, picture, caption. lines: {label, ink, x, y, broad}; labels are shown
 // where there is more than one line.
 export function picture({title, xLabel, yLabel, lines, caption, width: WIDTH = 330, height = 220}) {
-  const xs = extent(lines.map(line => line.x)), ys = extent(lines.map(line => line.y));
+  const xs = roomy(lines.map(line => line.x)), ys = roomy(lines.map(line => line.y));
   const px = x => LEFT + (x - xs[0]) / (xs[1] - xs[0]) * (WIDTH - LEFT - RIGHT);
   const py = y => height - BOTTOM - (y - ys[0]) / (ys[1] - ys[0]) * (height - TOP - BOTTOM);
   const grid = drawn('g', {class: 'grid'}), words = drawn('g', {class: 'ticks'});
