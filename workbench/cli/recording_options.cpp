@@ -14,20 +14,6 @@
 namespace workbench::cli {
 namespace {
 
-// "500ms" and "0.5 s" as the number of seconds; anything else as it is.
-std::string in_seconds(std::string& text) {
-  const std::size_t behind = text.find_first_not_of("0123456789.+-eE ");
-  if (behind == std::string::npos) return {};
-  const double unit_s = seconds_of_unit(std::string_view(text).substr(behind));
-  const std::string before(trimmed(std::string_view(text).substr(0, behind)));
-  double value = 0;
-  if (unit_s > 0 && CLI::detail::lexical_cast(before, value)) {
-    constexpr int kAllDigits = 15;
-    text = number(value * unit_s, kAllDigits);
-  }
-  return {};
-}
-
 std::string positive_number(const std::string& text) {
   double value = 0;
   if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || value <= 0) {
@@ -98,7 +84,12 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
       .add_option("--ts", source.ts,
                   "sample period in s, or with its unit: 500ms; replaces the time column")
       ->type_name("SECONDS")
-      ->transform(CLI::Validator(in_seconds, ""))
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            text = in_seconds(text);
+            return std::string();
+          },
+          ""))
       ->check(CLI::Validator(positive_number, ""));
   command
       .add_option("--u-before", source.u_before,
@@ -110,15 +101,15 @@ void add_recording_options(CLI::App& command, RecordingSource& source, bool requ
                                  const char* text) {
     command.add_option(name, target, text)->type_name("COLUMN")->group("Columns");
   };
-  column("--u", source.u,
+  column("--u", source.names.u,
          "controller output: name of its column or tag, or #3 for the third; with --dbc "
          "MESSAGE.SIGNAL");
-  column("--y", source.y, "process output, likewise");
-  column("--sp", source.sp, "setpoint, likewise");
-  column("--x", source.x, "valve position, likewise");
-  column("--time", source.time, "time");
+  column("--y", source.names.y, "process output, likewise");
+  column("--sp", source.names.sp, "setpoint, likewise");
+  column("--x", source.names.x, "valve position, likewise");
+  column("--time", source.names.time, "time");
   command
-      .add_option("--load", source.loads,
+      .add_option("--load", source.names.loads,
                   "a further measured signal, repeatable; all: every one")
       ->type_name("COLUMN")
       ->expected(1)
@@ -145,7 +136,7 @@ Recording read(const RecordingSource& source) {
 }
 
 void complain_about_loads(const RecordingSource& source) {
-  if (source.loads.empty()) return;
+  if (source.names.loads.empty()) return;
   complain(
       "the verdict is from u and y alone: no column of --load takes part. "
       "stickband explain weighs each of them");

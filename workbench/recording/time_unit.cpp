@@ -1,10 +1,13 @@
 #include "workbench/recording/time_unit.hpp"
 
 #include <array>
+#include <charconv>
 #include <string>
 #include <utility>
 
+#include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/resample.hpp"
 
 namespace workbench {
 
@@ -38,6 +41,19 @@ double seconds_of_unit(std::string_view unit) {
     if (is_one_of(lower, names)) return seconds;
   }
   return 0;
+}
+
+std::string in_seconds(const std::string& text) {
+  const std::size_t behind = text.find_first_not_of("0123456789.+-eE ");
+  if (behind == std::string::npos) return text;
+  const std::string_view before = trimmed(std::string_view(text).substr(0, behind));
+  const double unit_s = seconds_of_unit(std::string_view(text).substr(behind));
+  double value = 0;
+  const char* const end = before.data() + before.size();
+  const auto [rest, error] = std::from_chars(before.data(), end, value);
+  if (!(unit_s > 0) || error != std::errc() || rest != end) return text;
+  constexpr int kAllDigits = 15;
+  return number(value * unit_s, kAllDigits);
 }
 
 double unit_in_name(std::string_view name) {

@@ -1,6 +1,7 @@
 // Units of time as headers and cells name them.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "wire/calendar.hpp"
@@ -14,7 +15,10 @@ inline constexpr double kDayS = wire::kDayS;
 /// time.
 [[nodiscard]] double seconds_of_unit(std::string_view unit);
 
-/// Likewise of the unit that ends a name of several words: TimeMs, RelTime_ms; 0: none.
+/// "500ms" and "0.5 s" as the number of seconds; anything else as it is.
+[[nodiscard]] std::string in_seconds(const std::string& text);
+
+/// Seconds of the unit that ends a name of several words: TimeMs, RelTime_ms; 0: none.
 [[nodiscard]] double unit_in_name(std::string_view name);
 
 /// Seconds for one of the last number of a clock of two whose form a header names: 1 of

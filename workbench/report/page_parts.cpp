@@ -14,15 +14,7 @@ std::string text(std::string_view value) {
 }
 
 const char* css_class(Mood mood) {
-  switch (mood) {
-    case Mood::kBad:
-      return " bad";
-    case Mood::kGood:
-      return " good";
-    case Mood::kOpen:
-      break;
-  }
-  return "";
+  return mood == Mood::kBad ? " bad" : mood == Mood::kGood ? " good" : "";
 }
 
 }  // namespace

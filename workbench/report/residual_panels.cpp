@@ -1,5 +1,6 @@
 // The residual, seen in all ways.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -49,28 +50,13 @@ std::string panel_text(const Panel& panel, const Comparison& comparison) {
 }
 
 const char* panel_title(View view) {
-  switch (view) {
-    case View::kTime:
-      return "Time";
-    case View::kPhase:
-      return "Phase of the cycle";
-    case View::kLevel:
-      return "Level of u";
-    case View::kDirection:
-      return "Direction of u";
-    case View::kSpeed:
-      return "Speed of u";
-    case View::kTravel:
-      return "Distance of u since its reversal";
-    case View::kFrequency:
-      return "Frequency";
-    case View::kLag:
-      return "Lag behind u";
-  }
-  return "";
+  constexpr std::array kTitles = {"Time",       "Phase of the cycle",
+                                  "Level of u", "Direction of u",
+                                  "Speed of u", "Distance of u since its reversal",
+                                  "Frequency",  "Lag behind u"};
+  return kTitles[static_cast<std::size_t>(view)];
 }
 
-// Size of the error in each bin as bars, its mean as a line.
 void draw_places(const ModelReport& report, const ViewCurve& curve, Plot& plot) {
   const Comparison& comparison = report.comparison;
   const double rmse = comparison.quality.rmse;

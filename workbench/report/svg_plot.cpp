@@ -1,6 +1,7 @@
 #include "workbench/report/svg_plot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -250,21 +251,9 @@ bool all_signals(const Plot& plot) {
 }  // namespace
 
 const char* css_class(Ink ink) {
-  switch (ink) {
-    case Ink::kMeasured:
-      return "measured";
-    case Ink::kSetpoint:
-      return "setpoint";
-    case Ink::kTwoPath:
-      return "two-path";
-    case Ink::kValve:
-      return "valve";
-    case Ink::kLinear:
-      return "linear";
-    case Ink::kTruth:
-      return "truth";
-  }
-  return "";
+  constexpr std::array<const char*, 6> kNames = {"measured", "setpoint", "two-path",
+                                                 "valve",    "linear",   "truth"};
+  return kNames[static_cast<std::size_t>(ink)];
 }
 
 TimeUnit time_unit_for(double span_s) {

@@ -12,10 +12,21 @@
 namespace workbench {
 namespace {
 
+ApiResponse get_state(Session& session, const ApiRequest&) {
+  return json_response(state_json(session));
+}
+
+// Asks something of the session; what became of it is the answer.
+template <void (Session::*kAsk)(), int kStatus = 200>
+ApiResponse ask(Session& session, const ApiRequest&) {
+  (session.*kAsk)();
+  return json_response(state_json(session), kStatus);
+}
+
 struct Route {
   const char* path;
-  ApiResponse (*get)(Session&, const ApiRequest&);
-  ApiResponse (*post)(Session&, const ApiRequest&);
+  ApiHandler* get;
+  ApiHandler* post;
 };
 constexpr std::array kRoutes = {
     Route{"/api/state", get_state, nullptr},
@@ -32,10 +43,10 @@ constexpr std::array kRoutes = {
     Route{"/api/explain", get_explain, post_explain},
     Route{"/api/add", get_add, post_add},
     Route{"/api/remove", nullptr, post_remove},
-    Route{"/api/ladder", get_ladder, post_ladder},
-    Route{"/api/undo", nullptr, post_undo},
-    Route{"/api/redo", nullptr, post_redo},
-    Route{"/api/cancel", nullptr, post_cancel},
+    Route{"/api/ladder", get_ladder, ask<&Session::climb, 202>},
+    Route{"/api/undo", nullptr, ask<&Session::undo>},
+    Route{"/api/redo", nullptr, ask<&Session::redo>},
+    Route{"/api/cancel", nullptr, ask<&Session::cancel>},
     Route{"/api/try", nullptr, post_try},
     Route{"/api/range", nullptr, post_range},
     Route{"/api/leave_out", nullptr, post_leave_out},

@@ -76,12 +76,6 @@ HeldNames held_in(const Json& body) {
   return out;
 }
 
-void append(std::string& text, const char* format, double value) {
-  char number[40];
-  std::snprintf(number, sizeof number, format, value);
-  text += number;
-}
-
 }  // namespace
 
 ApiResponse post_try(Session& session, const ApiRequest& request) {
@@ -107,14 +101,12 @@ ApiResponse post_try(Session& session, const ApiRequest& request) {
   if (!std::isfinite(rmse)) {
     throw BadRequest("with these values the simulated output is beyond all numbers");
   }
-  std::string text = "{\"schema\":1,\"rmse\":";
-  append(text, "%.7g", rmse);
-  text += ",\"rmse_validation\":";
-  append(text, "%.7g", fitter.rmse_on(fit, false));
-  text += ",\"simulated\":[";
+  std::string text = "{\"schema\":1,\"rmse\":" + number(rmse, 7) +
+                     ",\"rmse_validation\":" + number(fitter.rmse_on(fit, false), 7) +
+                     ",\"simulated\":[";
   for (std::size_t k = 0; k < fit.residual.size(); ++k) {
     if (k > 0) text += ',';
-    append(text, "%.6g", fitter.y()[k] - fit.residual[k]);
+    text += number(fitter.y()[k] - fit.residual[k], 6);
   }
   return {200, "application/json", text + "]}", {}};
 }
@@ -209,7 +201,7 @@ ApiResponse get_csv(Session& session, const ApiRequest&) {
   for (std::size_t k = 0; k < recording.size(); ++k) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (i > 0) text += ',';
-      append(text, i == 0 ? "%.15g" : "%.9g", (*columns[i])[k]);
+      text += number((*columns[i])[k], i == 0 ? 15 : 9);
     }
     text += '\n';
   }

@@ -12,46 +12,13 @@ namespace workbench {
 [[nodiscard]] std::string stem_of(const std::string& name);
 
 // Throw NotNow, BadRequest (api_request.hpp), InputError and std::invalid_argument.
-[[nodiscard]] ApiResponse get_add(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_beside(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_commands(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_compare(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_csv(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_effects(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_explain(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_ladder(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_model(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_models(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_parts(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_preview(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_recording(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_report(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_session(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_signals(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_simulated(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_state(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse get_valve(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse open_example(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse open_recording(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_add(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_remove(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_beside(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_cancel(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_table(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_columns(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_direction(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_dismiss(Session& session, const ApiRequest& request);
-ApiResponse post_together(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_explain(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_ladder(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_leave_out(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_model(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_preview(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_range(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_redo(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_session(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_split(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_try(Session& session, const ApiRequest& request);
-[[nodiscard]] ApiResponse post_undo(Session& session, const ApiRequest& request);
+using ApiHandler = ApiResponse(Session& session, const ApiRequest& request);
+[[nodiscard]] ApiHandler get_add, get_beside, get_commands, get_compare, get_csv,
+    get_effects, get_explain, get_ladder, get_model, get_models, get_parts, get_preview,
+    get_recording, get_report, get_session, get_signals, get_simulated, get_valve,
+    open_example, open_recording, post_add, post_remove, post_beside, post_table,
+    post_columns, post_direction, post_dismiss, post_together, post_explain,
+    post_leave_out, post_model, post_preview, post_range, post_session, post_split,
+    post_try;
 
 }  // namespace workbench

@@ -81,32 +81,12 @@ ApiResponse post_remove(Session& session, const ApiRequest& request) {
   return accepted(session);
 }
 
-ApiResponse post_ladder(Session& session, const ApiRequest&) {
-  session.climb();
-  return accepted(session);
-}
-
 ApiResponse get_ladder(Session& session, const ApiRequest&) {
   const SessionView view = session.view();
   if (!view.last().ladder) {
     throw NotNow("this model was not made by the ladder; POST /api/ladder first");
   }
   return json_response(ladder_json(*view.last().ladder));
-}
-
-ApiResponse post_undo(Session& session, const ApiRequest&) {
-  session.undo();
-  return json_response(state_json(session));
-}
-
-ApiResponse post_cancel(Session& session, const ApiRequest&) {
-  session.cancel();
-  return json_response(state_json(session));
-}
-
-ApiResponse post_redo(Session& session, const ApiRequest&) {
-  session.redo();
-  return json_response(state_json(session));
 }
 
 }  // namespace workbench

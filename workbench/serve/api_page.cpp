@@ -63,10 +63,6 @@ std::string stem_of(const std::string& name) {
   return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
 }
 
-ApiResponse get_state(Session& session, const ApiRequest&) {
-  return json_response(state_json(session));
-}
-
 ApiResponse get_effects(Session&, const ApiRequest&) {
   Json effects = Json::array();
   for (const Effect* effect : standard_catalogue().effects()) {

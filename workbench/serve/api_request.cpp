@@ -16,10 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A finite number of the query; `expected` says what it has to be.
-std::optional<double> query_number(const ApiRequest& request, const char* key,
-                                   const std::string& expected, bool positive) {
-  const std::string text = value_or(request, key, "");
+// A finite number of the query, where there is one; `expected` says what it has to be.
+std::optional<double> number_of(const std::string& text, const std::string& expected,
+                                bool positive) {
   if (text.empty()) return std::nullopt;
   double value = 0;
   const auto [end, error] =
@@ -30,21 +29,6 @@ std::optional<double> query_number(const ApiRequest& request, const char* key,
                             {expected, workbench::quoted(text)}));
   }
   return value;
-}
-
-// "500ms" and "0.5 s" of ?ts= as the number of seconds; anything else as it is.
-ApiRequest with_seconds(const ApiRequest& request) {
-  ApiRequest out{request.method, request.path, {}, {}};
-  const std::string text = value_or(request, "ts", "");
-  double value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value);
-  std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  while (unit.starts_with(' ')) unit.remove_prefix(1);
-  const double unit_s = error == std::errc() ? seconds_of_unit(unit) : 0;
-  constexpr int kAllDigits = 15;
-  out.query["ts"] = unit_s > 0 ? number(value * unit_s, kAllDigits) : text;
-  return out;
 }
 
 // Columns or tags by name: ?u=FIC101.OP&y=FIC101.PV&time=...&load=, one on each line.
@@ -82,8 +66,8 @@ ApiResponse accepted(const Session& session) {
 }
 
 CsvOptions csv_options(const ApiRequest& request) {
-  return {query_number(with_seconds(request), "ts",
-                       "a positive number of seconds as the sample period", true),
+  return {number_of(in_seconds(value_or(request, "ts", "")),
+                    "a positive number of seconds as the sample period", true),
           {Column::u},
           names_in(request),
           date_order_of(request),
@@ -92,8 +76,8 @@ CsvOptions csv_options(const ApiRequest& request) {
 }
 
 std::optional<double> u_before_in(const ApiRequest& request) {
-  return query_number(request, "u_before",
-                      "a number as the value of u before the first row", false);
+  return number_of(value_or(request, "u_before", ""),
+                   "a number as the value of u before the first row", false);
 }
 
 std::uint64_t count_in(const ApiRequest& request, const char* key,

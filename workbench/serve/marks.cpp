@@ -1,6 +1,7 @@
 #include "workbench/serve/marks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "workbench/recording/statistics.hpp"
@@ -12,6 +13,15 @@ struct Run {
   std::size_t first;
   std::size_t length;
 };
+
+// Adds one sample to the run that ends before it, else a run of `length` to this sample.
+void extend(std::vector<Run>& runs, std::size_t sample, std::size_t length) {
+  if (!runs.empty() && runs.back().first + runs.back().length == sample) {
+    ++runs.back().length;
+  } else {
+    runs.push_back({sample + 1 - length, length});
+  }
+}
 
 // Stretches of equal values.
 std::vector<Run> runs_of(const std::vector<double>& values) {
@@ -34,12 +44,7 @@ std::vector<Run> straight_runs_of(const std::vector<double>& values) {
   for (std::size_t k = 2; k < values.size(); ++k) {
     const double step = values[k] - values[k - 1];
     const double before = values[k - 1] - values[k - 2];
-    if (step == 0 || std::abs(step - before) > exact) continue;
-    if (!out.empty() && out.back().first + out.back().length == k) {
-      ++out.back().length;
-    } else {
-      out.push_back({k - 2, 3});
-    }
+    if (step != 0 && std::abs(step - before) <= exact) extend(out, k, 3);
   }
   return out;
 }
@@ -59,12 +64,7 @@ std::vector<Run> jumps_of(const std::vector<double>& values) {
   const double least = std::max(kOfSpan * (*high - *low), kOfUsual * most);
   std::vector<Run> out;
   for (std::size_t k = 1; k < values.size(); ++k) {
-    if (std::abs(values[k] - values[k - 1]) < least) continue;
-    if (!out.empty() && out.back().first + out.back().length == k) {
-      ++out.back().length;
-    } else {
-      out.push_back({k - 1, 2});
-    }
+    if (std::abs(values[k] - values[k - 1]) >= least) extend(out, k, 2);
   }
   return out;
 }
@@ -184,23 +184,9 @@ std::vector<Mark> marks_of(const Recording& recording) {
 }
 
 std::string_view name_of(Mark::Kind kind) {
-  switch (kind) {
-    case Mark::Kind::kLimit:
-      return "limit";
-    case Mark::Kind::kRest:
-      return "rest";
-    case Mark::Kind::kHeld:
-      return "held";
-    case Mark::Kind::kStraight:
-      return "straight";
-    case Mark::Kind::kStep:
-      return "step";
-    case Mark::Kind::kGap:
-      return "gap";
-    case Mark::Kind::kManual:
-      return "manual";
-  }
-  return "";
+  constexpr std::array<std::string_view, 7> kNames = {
+      "limit", "rest", "held", "straight", "step", "gap", "manual"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace workbench

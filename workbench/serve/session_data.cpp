@@ -38,11 +38,27 @@ Recording samples_between(const Recording& whole, std::pair<double, double> rang
   return out;
 }
 
-// With samples added to those left out.
-std::shared_ptr<const Recording> without(const Recording& recording, SampleRange added) {
-  Recording out = recording;
-  if (added.first < added.last) out.left_out = united(std::move(out.left_out), {added});
-  return std::make_shared<const Recording>(std::move(out));
+void leave_out_of(Recording& recording, SampleRange range) {
+  if (range.first < range.last) {
+    recording.left_out = united(std::move(recording.left_out), {range});
+  }
+}
+
+// A view with the recordings of `before`, each changed.
+template <class Change>
+SessionView changed(const SessionView& before, Change change) {
+  const auto copy = [&](const std::shared_ptr<const Recording>& recording) {
+    if (recording == nullptr) return recording;
+    Recording out = *recording;
+    change(out);
+    return std::make_shared<const Recording>(std::move(out));
+  };
+  static_cast<void>(before.opened());
+  SessionView next;
+  next.recording = copy(before.recording);
+  next.whole = copy(before.whole);
+  next.own = copy(before.own);
+  return next;
 }
 
 }  // namespace
@@ -99,16 +115,15 @@ void Session::choose(std::optional<std::pair<double, double>> range, Purpose pur
 void Session::leave_out(std::optional<std::pair<double, double>> range) {
   const SessionView before = view();
   refuse_several(before);
-  const auto changed = [&range](const Recording& recording) {
-    if (range) return without(recording, samples_at(recording, *range));
-    Recording out = recording;
-    out.left_out.clear();
-    return std::make_shared<const Recording>(std::move(out));
-  };
-  SessionView next;
-  next.recording = changed(before.opened());
-  if (before.whole != nullptr) next.whole = changed(*before.whole);
-  take_up(std::move(next), Purpose::kFit);
+  take_up(changed(before,
+                  [&range](Recording& recording) {
+                    if (range) {
+                      leave_out_of(recording, samples_at(recording, *range));
+                    } else {
+                      recording.left_out.clear();
+                    }
+                  }),
+          Purpose::kFit);
 }
 
 void Session::leave_out_manual() {
@@ -117,15 +132,13 @@ void Session::leave_out_manual() {
   if (before.opened().manual.empty()) {
     throw NotNow("no stretch of this recording is said to be in manual");
   }
-  const auto changed = [](const std::shared_ptr<const Recording>& recording) {
-    std::shared_ptr<const Recording> out = recording;
-    for (const SampleRange& range : recording->manual) out = without(*out, range);
-    return out;
-  };
-  SessionView next;
-  next.recording = changed(before.recording);
-  if (before.whole != nullptr) next.whole = changed(before.whole);
-  take_up(std::move(next), Purpose::kFit);
+  take_up(changed(before,
+                  [](Recording& recording) {
+                    for (const SampleRange& range : recording.manual) {
+                      leave_out_of(recording, range);
+                    }
+                  }),
+          Purpose::kFit);
 }
 
 void Session::share_out(Split split) {
@@ -136,15 +149,8 @@ void Session::share_out(Split split) {
     throw std::invalid_argument("expected a length of the blocks of 0 or more");
   }
   const SessionView before = view();
-  const auto changed = [&split](const Recording& recording) {
-    Recording out = recording;
-    out.split = split;
-    return std::make_shared<const Recording>(std::move(out));
-  };
-  SessionView next;
-  next.recording = changed(before.opened());
-  if (before.whole != nullptr) next.whole = changed(*before.whole);
-  if (before.own != nullptr) next.own = changed(*before.own);
+  SessionView next =
+      changed(before, [&split](Recording& recording) { recording.split = split; });
   next.valve = before.valve;  // it looks at all samples, whatever their share
   take_up(std::move(next), Purpose::kFit);
 }

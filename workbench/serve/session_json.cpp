@@ -66,6 +66,10 @@ void add_words(const std::vector<Parameter>& parameters, const Recording& record
   }
 }
 
+std::string_view verdict_in(const ValveAnswer& valve) {
+  return ident::name(valve.analysis.result().verdict);
+}
+
 Json split_json(const Recording& recording) {
   return {{"estimation_share", recording.split.estimation_share},
           {"block_s", recording.split.pair_samples * recording.period_s}};
@@ -188,6 +192,9 @@ Json state_json(const Session& session) {
     fitted.push_back(other.fitted);
   }
   const bool asked = last != nullptr && last->explanation.has_value();
+  const auto if_any = [](const auto& one, auto told) {
+    return one ? Json(told(*one)) : Json(nullptr);
+  };
   return {
       {"schema", 1},
       {"version", STICKBAND_VERSION},
@@ -198,20 +205,14 @@ Json state_json(const Session& session) {
       {"begun", session.begun()},
       {"is_range", view.whole != nullptr},
       {"left_out", view.recording != nullptr && !view.recording->left_out.empty()},
-      {"split", view.recording != nullptr ? split_json(*view.recording) : Json(nullptr)},
-      {"recording",
-       view.recording != nullptr ? recording_json(*view.recording) : Json(nullptr)},
-      {"verdict", view.valve != nullptr
-                      ? Json(ident::name(view.valve->analysis.result().verdict))
-                      : Json(nullptr)},
-      {"verdict_so_far",
-       view.valve_so_far != nullptr
-           ? Json(ident::name(view.valve_so_far->analysis.result().verdict))
-           : Json(nullptr)},
-      {"verdict_job", verdict_job ? job_json(*verdict_job) : Json(nullptr)},
+      {"split", if_any(view.recording, split_json)},
+      {"recording", if_any(view.recording, recording_json)},
+      {"verdict", if_any(view.valve, verdict_in)},
+      {"verdict_so_far", if_any(view.valve_so_far, verdict_in)},
+      {"verdict_job", if_any(verdict_job, job_json)},
       {"verdict_error",
        verdict_failure != nullptr ? error_json(verdict_failure) : Json(nullptr)},
-      {"model", last != nullptr ? summary_of(*last) : Json(nullptr)},
+      {"model", if_any(last, summary_of)},
       {"explained", asked ? Json(last->explanation->explained) : Json(nullptr)},
       {"opens", word_of(view.opens)},
       {"stopped", last != nullptr && view.is_stopped()},
@@ -223,23 +224,16 @@ Json state_json(const Session& session) {
       {"beside_fitted", fitted},
       {"can_undo", view.can_undo()},
       {"can_redo", !view.undone.empty()},
-      {"job", job ? job_json(*job) : Json(nullptr)},
+      {"job", if_any(job, job_json)},
       {"error", failure != nullptr ? error_json(failure) : Json(nullptr)}};
 }
 
 namespace {
 
-Column output_of(const SessionView& view) {
-  const Recording& recording = view.opened();
-  return !view.steps.empty()        ? view.steps.back()->model.output
-         : recording.has(Column::y) ? Column::y
-                                    : Column::x;
-}
-
 Indices drawn_of(const SessionView& view) {
   const Recording& recording = view.opened();
   std::vector<const std::vector<double>*> signals = {&recording.u,
-                                                     &recording.values(output_of(view))};
+                                                     &recording.values(view.output())};
   if (!view.steps.empty()) signals.push_back(&view.steps.back()->comparison.simulated);
   return drawn(recording.size(), signals);
 }
@@ -255,7 +249,7 @@ std::string simulated_json(const SessionView& view, const ModelStep& step) {
 std::string signals_json(const SessionView& view) {
   const Recording& recording = view.opened();
   const ModelStep* last = view.steps.empty() ? nullptr : view.steps.back().get();
-  const Column output = output_of(view);
+  const Column output = view.output();
   const std::vector<double>& measured = recording.values(output);
   const Indices at = drawn_of(view);
   std::string text = "{\"schema\":1,\"output\":\"" + std::string(name_of(output)) +
