@@ -71,18 +71,35 @@ SplitExport::SplitExport(ExportFile file, const ReadOptions& options,
     : file_(std::move(file)), options_(options), spill_(scratch) {}
 
 bool SplitExport::split(const std::vector<bool>& wanted, const Watch& watch) {
-  bool ended = false;
-  if (file_.kind == ExportFile::Kind::kLong) {
-    split_long(watch, ended);
-  } else {
-    split_wide(wanted, watch, ended);
-  }
+  const bool whole = file_.kind == ExportFile::Kind::kLong ? split_long(watch)
+                                                           : split_wide(wanted, watch);
   spill_.finish();
-  return !ended;
+  return whole;
 }
 
-void SplitExport::split_wide(const std::vector<bool>& wanted, const Watch& watch,
-                             bool& ended) {
+template <class TakeRow>
+bool SplitExport::each_row(const Watch& watch, int between_flushes, TakeRow take_row) {
+  TextBlocks blocks(file_.path);
+  std::size_t head = file_.layout.first_row_line - 1;
+  std::size_t line = file_.layout.first_row_line;
+  int rows = 0;
+  for (std::string_view text = blocks.next(); !text.empty(); text = blocks.next()) {
+    text = without_lines(text, head);
+    CellReader reader(text, file_.path, line);
+    while (!reader.at_end()) {
+      const bool heads = heads_again(reader.rest_of_line(), file_.layout.header);
+      if (heads) reader.skip_rest_of_line();
+      take_row(reader, heads);
+      reader.next_line();
+      if (++rows % between_flushes == 0) spill_.flush_full();
+    }
+    line = reader.line();
+    if (watch && !watch(blocks.bytes_read(), blocks.size())) return false;
+  }
+  return true;
+}
+
+bool SplitExport::split_wide(const std::vector<bool>& wanted, const Watch& watch) {
   const std::size_t columns = file_.layout.columns.size();
   const char separator = file_.layout.separator;
   std::vector<std::vector<std::size_t>> streams_of(columns);
@@ -98,88 +115,54 @@ void SplitExport::split_wide(const std::vector<bool>& wanted, const Watch& watch
     }
   }
   std::vector<unsigned char> begun(spill_.streams(), 0);  // this line has a cell
-  TextBlocks blocks(file_.path);
-  std::size_t head = file_.layout.first_row_line - 1;
-  std::size_t line = file_.layout.first_row_line;
-  int rows = 0;
-  for (std::string_view text = blocks.next(); !text.empty(); text = blocks.next()) {
-    text = without_lines(text, head);
-    CellReader reader(text, file_.path, line);
-    while (!reader.at_end()) {
-      const bool heads = heads_again(reader.rest_of_line(), file_.layout.header);
-      if (heads) reader.skip_rest_of_line();
-      std::size_t cells = 0;
-      std::size_t filled = 0;
-      while (!heads) {
-        const std::string_view cell = reader.take_cell(separator);
-        if (cells < columns) {
-          for (const std::size_t stream : streams_of[cells]) {
-            append(spill_.buffer(stream), cell, separator, begun[stream] == 0);
-            begun[stream] = 1;
-          }
+  return each_row(watch, kRowsBetweenFlushes, [&](CellReader& reader, bool heads) {
+    std::size_t cells = 0;
+    std::size_t filled = 0;
+    while (!heads) {
+      const std::string_view cell = reader.take_cell(separator);
+      if (cells < columns) {
+        for (const std::size_t stream : streams_of[cells]) {
+          append(spill_.buffer(stream), cell, separator, begun[stream] == 0);
+          begun[stream] = 1;
         }
-        ++cells;
-        if (!cell.empty()) filled = cells;
-        if (!reader.take_separator(separator)) break;
       }
-      for (std::size_t stream = 0; stream < spill_.streams(); ++stream) {
-        std::string& buffer = spill_.buffer(stream);
-        // One cell too many here as well: the reader of the loop refuses it by line.
-        if (filled > columns) append(buffer, "?", separator, begun[stream] == 0);
-        buffer += '\n';
-        begun[stream] = 0;
-      }
-      reader.next_line();
-      if (++rows % kRowsBetweenFlushes == 0) spill_.flush_full();
+      ++cells;
+      if (!cell.empty()) filled = cells;
+      if (!reader.take_separator(separator)) break;
     }
-    line = reader.line();
-    if (watch && !watch(blocks.bytes_read(), blocks.size())) {
-      ended = true;
-      return;
+    for (std::size_t stream = 0; stream < spill_.streams(); ++stream) {
+      std::string& buffer = spill_.buffer(stream);
+      // One cell too many here as well: the reader of the loop refuses it by line.
+      if (filled > columns) append(buffer, "?", separator, begun[stream] == 0);
+      buffer += '\n';
+      begun[stream] = 0;
     }
-  }
+  });
 }
 
-void SplitExport::split_long(const Watch& watch, bool& ended) {
+bool SplitExport::split_long(const Watch& watch) {
   const char separator = file_.layout.separator;
   std::unordered_map<std::string, std::size_t> stream_of;
   std::vector<NamedSignal> tags;
-  TextBlocks blocks(file_.path);
-  std::size_t head = file_.layout.first_row_line - 1;
-  std::size_t line = file_.layout.first_row_line;
   LongRow row(file_.choice);
-  int rows = 0;
-  for (std::string_view text = blocks.next(); !text.empty(); text = blocks.next()) {
-    text = without_lines(text, head);
-    CellReader reader(text, file_.path, line);
-    while (!reader.at_end()) {
-      if (heads_again(reader.rest_of_line(), file_.layout.header)) {
-        reader.skip_rest_of_line();
-      } else if (row.take(reader, separator)) {
-        const auto [at, is_new] = stream_of.try_emplace(row.key, stream_of.size());
-        if (is_new) {
-          if (tags.size() >= kMostTags) {
-            throw InputError(file_.path, reader.line(), 0, "at most 100000 tags", "more",
-                             "export fewer tags a file");
-          }
-          add_tags(row.key, file_.choice, file_.layout, 1, tags);
-          (void)spill_.add_stream();
-        }
-        spill_.buffer(at->second) += row.text + '\n';
+  const auto take_row = [&](CellReader& reader, bool heads) {
+    if (heads || !row.take(reader, separator)) return;
+    const auto [at, is_new] = stream_of.try_emplace(row.key, stream_of.size());
+    if (is_new) {
+      if (tags.size() >= kMostTags) {
+        throw InputError(file_.path, reader.line(), 0, "at most 100000 tags", "more",
+                         "export fewer tags a file");
       }
-      reader.next_line();
-      if (++rows % (kRowsBetweenFlushes * 64) == 0) spill_.flush_full();
+      add_tags(row.key, file_.choice, file_.layout, 1, tags);
+      (void)spill_.add_stream();
     }
-    line = reader.line();
-    if (watch && !watch(blocks.bytes_read(), blocks.size())) {
-      ended = true;
-      return;
-    }
-  }
+    spill_.buffer(at->second) += row.text + '\n';
+  };
+  if (!each_row(watch, kRowsBetweenFlushes * 64, take_row)) return false;
   pair_streams(tags);
+  return true;
 }
 
-// Loops of the tags that belong together.
 void SplitExport::pair_streams(const std::vector<NamedSignal>& tags) {
   const TagPairs pairs = pair_tags(tags, options_.pairs);
   for (const TagLoop& found : pairs.loops) {

@@ -30,8 +30,12 @@ class SplitExport {
   [[nodiscard]] Recording recording(std::size_t loop) const;
 
  private:
-  void split_wide(const std::vector<bool>& wanted, const Watch& watch, bool& ended);
-  void split_long(const Watch& watch, bool& ended);
+  // Gives take_row(reader, heads) each row; `heads`: it is the header once more, which
+  // was passed over. False: `watch` ended it.
+  template <class TakeRow>
+  bool each_row(const Watch& watch, int between_flushes, TakeRow take_row);
+  bool split_wide(const std::vector<bool>& wanted, const Watch& watch);
+  bool split_long(const Watch& watch);
   void pair_streams(const std::vector<NamedSignal>& tags);
   [[nodiscard]] std::string joined(std::size_t loop) const;
 
