@@ -33,7 +33,7 @@ TEST(WorkedExamples, TheHeaterIsMovedByTheSecondHeater) {
   if (const auto why = test::why_unusable(file); !why.empty()) GTEST_SKIP() << why;
   RecordingSource source;
   source.path = file.string();
-  source.loads = {"q2"};
+  source.names.loads = {"q2"};
   const Recording recording = read_recording(source);
   const ExplainResult lag = explain(recording, start_model(recording, Column::y).model);
   ASSERT_NE(lag.best(), nullptr);

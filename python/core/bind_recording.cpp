@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <map>
+
 #include "python/core/bindings.hpp"
 #include "python/core/held_recording.hpp"
 #include "python/core/long_work.hpp"
@@ -38,28 +40,19 @@ using Names = std::vector<std::pair<std::string, std::string>>;
 
 void set(workbench::RecordingSource& source, const std::string& key,
          const std::string& value) {
-  if (key == "u")
-    source.u = value;
-  else if (key == "y")
-    source.y = value;
-  else if (key == "sp")
-    source.sp = value;
-  else if (key == "x")
-    source.x = value;
-  else if (key == "time")
-    source.time = value;
-  else if (key == "dbc")
-    source.dbc = value;
-  else if (key == "config")
-    source.config = value;
-  else if (key == "date_order")
+  const std::map<std::string, std::string*> texts = {
+      {"u", &source.names.u},   {"y", &source.names.y},       {"sp", &source.names.sp},
+      {"x", &source.names.x},   {"time", &source.names.time}, {"dbc", &source.dbc},
+      {"sheet", &source.sheet}, {"config", &source.config}};
+  if (const auto text = texts.find(key); text != texts.end()) {
+    *text->second = value;
+  } else if (key == "date_order") {
     source.date_order = date_order_of(value);
-  else if (key == "decimal")
+  } else if (key == "decimal") {
     source.decimal = decimal_of(value);
-  else if (key == "sheet")
-    source.sheet = value;
-  else
+  } else {
     throw std::invalid_argument("no option '" + key + "'");
+  }
 }
 
 std::shared_ptr<HeldRecording> read(const std::string& path, const Names& options,
@@ -71,7 +64,7 @@ std::shared_ptr<HeldRecording> read(const std::string& path, const Names& option
   source.path = path;
   source.ts = ts;
   source.loop = loop;
-  source.loads = std::move(loads);
+  source.names.loads = std::move(loads);
   source.u_before = u_before;
   source.required.clear();
   for (const std::string& name : required) source.required.push_back(column_named(name));

@@ -69,20 +69,20 @@ std::string human_text(const Report& report, const Recording& recording,
 // The signal of a file that holds one alone, unless another column was asked for.
 std::optional<Recording> read_only_signal(RecordingSource source, Column column,
                                           bool column_given) {
-  const CsvOptions options = csv_options_of(source);
-  if (!source.dbc.empty() || !source.config.empty() || options.names.names_signals()) {
+  ColumnNames& names = source.names;
+  if (!source.dbc.empty() || !source.config.empty() || names.names_signals()) {
     return std::nullopt;
   }
   const auto file =
-      tag_file(read_text_file(source.path, kMostBytes), source.path, options);
+      tag_file(read_text_file(source.path, kMostBytes), source.path, source);
   if (!file) return std::nullopt;
   const Part part = column_name(file->tag).part;
   const bool other = is_signal(part) && part != part_of(column);
   if (column_given && other) return std::nullopt;
-  std::string& name = column == Column::u   ? source.u
-                      : column == Column::y ? source.y
-                      : column == Column::x ? source.x
-                                            : source.sp;
+  std::string& name = column == Column::u   ? names.u
+                      : column == Column::y ? names.y
+                      : column == Column::x ? names.x
+                                            : names.sp;
   // Of a file that names its tag in each row, it is the first of its tags.
   for (const std::string& number :
        {'#' + std::to_string(file->value + 1), std::string("#1")}) {

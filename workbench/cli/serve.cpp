@@ -10,8 +10,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/recording_options.hpp"
-#include "workbench/recording/signal_choice.hpp"
-#include "workbench/serve/command_lines.hpp"
+#include "workbench/recording/option_words.hpp"
 #include "workbench/serve/server.hpp"
 
 namespace workbench::cli {
@@ -64,37 +63,12 @@ class Interruption {
   std::thread thread_;
 };
 
-// As it was given, for the commands that the page shows.
-std::string words_of(const RecordingSource& source) {
-  std::string out =
-      source_words(source.path,
-                   {source.ts,
-                    source.required,
-                    {source.time, source.u, source.y, source.sp, source.x, source.loads},
-                    source.date_order,
-                    source.decimal,
-                    source.sheet},
-                   source.u_before);
-  const auto add = [&out](const char* option, const std::string& value) {
-    if (!value.empty()) out += std::string(" ") + option + ' ' + shell_word(value);
-  };
-  add("--dbc", source.dbc);
-  add("--config", source.config);
-  if (source.loop) add("--loop", std::to_string(*source.loop));
-  return out;
-}
-
 int serve(const Options& options) {
   const Column output = output_of(options, Column::y);
   std::optional<Recording> recording;
   const RecordingSource& source = options.source;
-  const bool about_rec = source.ts || source.loop || source.u_before ||
-                         !options.output.empty() || source.date_order || source.decimal ||
-                         !source.loads.empty() ||
-                         !(source.dbc + source.config + source.u + source.y + source.sp +
-                           source.x + source.time + source.sheet)
-                              .empty();
-  if (source.path.empty() && about_rec) {
+  const std::string words = option_words(source);
+  if (source.path.empty() && !(words + options.output).empty()) {
     throw UsageError(
         "--ts, --output and the options of columns and CAN logs go with REC: "
         "stickband serve REC --ts SECONDS");
@@ -106,7 +80,8 @@ int serve(const Options& options) {
   }
   Interruption interruption;
   Session session;
-  if (recording) session.open(std::move(*recording), output, words_of(source));
+  if (recording)
+    session.open(std::move(*recording), output, file_word(source.path) + words);
   PageServer server(session, options.port);
   print("Stickband is at http://127.0.0.1:" + std::to_string(server.port()) +
         "/\nCtrl-C ends it.\n");
@@ -128,9 +103,7 @@ void add_serve(CLI::App& app, Action& action) {
   command->add_option("--port", options->port, "port of the page")
       ->type_name("N")
       ->check(CLI::Range(0, 65535));
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return serve(*options); }; });
+  runs(*command, action, options, serve, kFooter);
 }
 
 }  // namespace workbench::cli

@@ -45,7 +45,7 @@ void drop_loads(std::vector<Recording>& recordings) {
 Recording read_with_unused(const RecordingSource& source) {
   if (!source.dbc.empty() || !source.config.empty()) return read(source);
   RecordingSource asking = source;
-  asking.loads = {"all"};
+  asking.names.loads = {"all"};
   std::optional<Recording> all;
   try {
     all = read(asking);

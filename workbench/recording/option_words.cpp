@@ -37,7 +37,7 @@ std::string option_words(const RecordingSource& source) {
   add(out, "--dbc", source.dbc);
   add(out, "--config", source.config);
   if (source.loop) add(out, "--loop", std::to_string(*source.loop));
-  return out + option_words(csv_options_of(source), source.u_before);
+  return out + option_words(static_cast<const CsvOptions&>(source), source.u_before);
 }
 
 }  // namespace workbench

@@ -12,16 +12,6 @@
 
 namespace workbench {
 
-CsvOptions csv_options_of(const RecordingSource& source) {
-  return {source.ts,
-          source.required,
-          {source.time, source.u, source.y, source.sp, source.x, source.loads},
-          source.date_order,
-          source.decimal,
-          source.sheet,
-          source.stop};
-}
-
 namespace {
 
 bool looks_like_candump(std::string_view text) {
@@ -31,9 +21,9 @@ bool looks_like_candump(std::string_view text) {
 }
 
 Recording read_log(const RecordingSource& source) {
-  const CandumpOptions options{source.u, source.y,  source.sp,
-                               source.x, source.ts, source.stop};
-  const ColumnNames names = csv_options_of(source).names;
+  const ColumnNames& names = source.names;
+  const CandumpOptions options{names.u, names.y,   names.sp,
+                               names.x, source.ts, source.stop};
   std::vector<Column> missing;
   for (const Column column : source.required) {
     if (column != Column::t && names.of(column).empty()) missing.push_back(column);
@@ -56,7 +46,7 @@ const config::Loop& loop_of(const config::Gateway& gateway, std::optional<int> i
 }
 
 Recording read_configured_log(const RecordingSource& source) {
-  if (!(source.dbc + source.u + source.y + source.sp + source.x).empty()) {
+  if (!source.dbc.empty() || source.names.names_signals()) {
     throw std::invalid_argument("--config already names the signals; drop the others");
   }
   const config::Gateway gateway = config::read_gateway(source.config);
@@ -92,7 +82,7 @@ Recording read_tag_files(const RecordingSource& source) {
     names.push_back(file_name(path));
   }
   const std::string name = name_of_files(names);
-  CsvOptions options = csv_options_of(source);
+  CsvOptions options = source;
   const std::string table = table_of_tag_files(files, options);
   options.names.time.clear();
   try {
@@ -104,8 +94,8 @@ Recording read_tag_files(const RecordingSource& source) {
 
 Recording read_as_it_is(const RecordingSource& source) {
   const bool from_can = !source.config.empty() || !source.dbc.empty();
-  if (from_can && (!source.time.empty() || !source.loads.empty() || source.date_order ||
-                   source.decimal || !source.sheet.empty())) {
+  if (from_can && (!source.names.time.empty() || !source.names.loads.empty() ||
+                   source.date_order || source.decimal || !source.sheet.empty())) {
     throw std::invalid_argument(
         "--time, --load, --date-order, --decimal and --sheet are for CSV files and "
         "workbooks");
@@ -116,14 +106,14 @@ Recording read_as_it_is(const RecordingSource& source) {
   if (!source.beside.empty()) return read_tag_files(source);
   const std::string text = read_text_file(source.path, kMostBytes);
   if (looks_like_candump(text)) {
-    if (!(source.u + source.y + source.sp + source.x).empty()) {
+    if (source.names.names_signals()) {
       throw std::invalid_argument("signals of a CAN log need --dbc FILE");
     }
     throw InputError(source.path, 1, 1, "a CSV file", "a candump log",
                      "give --config FILE, or --dbc FILE --u MESSAGE.SIGNAL --y "
                      "MESSAGE.SIGNAL");
   }
-  Recording recording = parse_csv(text, source.path, csv_options_of(source));
+  Recording recording = parse_csv(text, source.path, source);
   recording.name = file_name(source.path);
   return recording;
 }
@@ -134,7 +124,7 @@ std::vector<RecordingSource> sources_of(const RecordingSource& like,
                                         const std::vector<std::string>& paths) {
   std::vector<RecordingSource> out;
   const bool from_can = !like.config.empty() || !like.dbc.empty();
-  if (!from_can && are_tag_files(paths, csv_options_of(like))) {
+  if (!from_can && are_tag_files(paths, like)) {
     out.push_back(like);
     out.back().path = paths.front();
     out.back().beside.assign(paths.begin() + 1, paths.end());

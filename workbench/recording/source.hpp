@@ -3,41 +3,25 @@
 
 #include <array>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/recording.hpp"
-#include "workbench/recording/written_time.hpp"
 
 namespace workbench {
 
-/// The options of every command that takes REC.
-struct RecordingSource {
+/// The options of every command that takes REC. Of those of CSV files a candump log
+/// takes --ts and, as MESSAGE.SIGNAL, --u, --y, --sp and --x.
+struct RecordingSource : CsvOptions {
   std::string path;                 ///< REC
   std::vector<std::string> beside;  ///< where REC holds one signal: files of the others
-  std::optional<double> ts;         ///< --ts, s
   std::string dbc;                  ///< --dbc FILE: REC is a candump log
-  std::string u;  ///< --u COLUMN or tag; with --dbc MESSAGE.SIGNAL; likewise:
-  std::string y;
-  std::string sp;
-  std::string x;
-  std::string time;                     ///< --time COLUMN, not with --dbc
-  std::vector<std::string> loads;       ///< --load COLUMN, repeated; not with --dbc
-  std::optional<DateOrder> date_order;  ///< --date-order, not with --dbc
-  std::optional<char> decimal;          ///< --decimal: '.' or ',', not with --dbc
-  std::string sheet;                    ///< --sheet NAME of a workbook, not with --dbc
   std::string config;       ///< --config FILE: the gateway's own, instead of --dbc
   std::optional<int> loop;  ///< --loop N: which of its loops; nothing: the only one
   std::optional<double> u_before;  ///< --u-before: u rested there (rest_before.hpp)
-  std::vector<Column> required = {Column::u, Column::y};  ///< columns it must have
-  std::stop_token stop{};  ///< asks for an end: read_recording() throws Stopped
 };
-
-/// What of it a CSV file or an export is read with.
-[[nodiscard]] CsvOptions csv_options_of(const RecordingSource& source);
 
 /// What `paths` mean, each read as `like` says: a recording each, or where every one
 /// holds a single signal (tag_file.hpp) all together one.

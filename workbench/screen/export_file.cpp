@@ -18,9 +18,8 @@ std::string number_of(std::size_t index) {
   return '#' + std::to_string(index + 1);
 }
 
-ColumnNames names_of(const TagLoop& loop, const std::string& time) {
-  ColumnNames names;
-  names.time = time;
+ColumnNames names_of(const TagLoop& loop, const ReadOptions& options) {
+  ColumnNames names = options.names;
   names.u = number_of(loop.u);
   names.y = number_of(loop.y);
   if (loop.sp) names.sp = number_of(*loop.sp);
@@ -72,7 +71,7 @@ ExportLoop loop_of(ExportFile& file, const TagLoop& tags,
   loop.u_tag = candidates[tags.u].name.text;
   loop.y_tag = candidates[tags.y].name.text;
   try {
-    loop.choice = choose_columns(file.layout, file.path, names_of(tags, options.time),
+    loop.choice = choose_columns(file.layout, file.path, names_of(tags, options),
                                  {Column::u, Column::y}, !options.ts);
   } catch (const std::exception& error) {
     loop.error = error.what();
@@ -108,10 +107,8 @@ ExportLoop loop_of(ExportFile& file, const TagLoop& tags,
 // Whether rows name their tags.
 bool is_long(ExportFile& file, const ReadOptions& options) {
   try {
-    ColumnNames names;
-    names.time = options.time;
-    file.choice = choose_columns(file.layout, file.path, names, {Column::u, Column::y},
-                                 !options.ts);
+    file.choice = choose_columns(file.layout, file.path, options.names,
+                                 {Column::u, Column::y}, !options.ts);
     return file.choice.shape == ColumnChoice::Shape::kLong;
   } catch (const std::exception&) {
     return false;
@@ -121,11 +118,7 @@ bool is_long(ExportFile& file, const ReadOptions& options) {
 // From the first lines, and from those behind where they say otherwise.
 void take_layout(ExportFile& file, const ReadOptions& options) {
   const std::string first = head_of_file(file.path, kSampleLines + 50);
-  CsvOptions own;
-  own.ts = options.ts;
-  own.names.time = options.time;
-  own.decimal = options.decimal;
-  file.layout = layout_of(first, file.path, wish_of(own));
+  file.layout = layout_of(first, file.path, wish_of(options));
   LaterTexts later(file.layout, file.path);
   TextBlocks blocks(file.path);
   std::size_t head = file.layout.first_row_line - 1;
@@ -184,9 +177,7 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
   TagPairs pairs = pair_tags(candidates, options.pairs);
   file.doubts = std::move(pairs.doubts);
   if (pairs.loops.empty()) {
-    ColumnNames names;
-    names.time = options.time;
-    if (const auto one = tag_file(file.layout, path, names)) {
+    if (const auto one = tag_file(file.layout, path, options.names)) {
       file.tag = one->tag;
     } else if (rows_name_tags) {
       file.kind = ExportFile::Kind::kLong;
@@ -201,7 +192,7 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
       file.loop = pairs.loops[0].name;
       file.named_by_file = false;
     }
-    file.names = names_of(pairs.loops[0], options.time);
+    file.names = names_of(pairs.loops[0], options);
     return file;
   }
   file.kind = ExportFile::Kind::kWide;

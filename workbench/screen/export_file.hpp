@@ -14,12 +14,8 @@
 namespace workbench {
 
 /// How the files of a screening are read.
-struct ReadOptions {
+struct ReadOptions : CsvOptions {
   PairRules pairs;
-  std::optional<double> ts;             ///< sample period, s; replaces time columns
-  std::string time;                     ///< name of the column of times; "" by itself
-  std::optional<DateOrder> date_order;  ///< of dates that leave it open
-  std::optional<char> decimal;          ///< '.' or ',': the other one groups thousands
 };
 
 /// One loop in a table with many.

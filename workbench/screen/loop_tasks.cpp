@@ -233,7 +233,7 @@ std::string key_of(const LoopTask& task, const std::vector<ExportFile>& files,
                                      : task.u_tag + ' ' + task.y_tag);
   }
   if (read.ts) key += "|ts " + std::to_string(*read.ts);
-  if (!read.time.empty()) key += "|time " + read.time;
+  if (!read.names.time.empty()) key += "|time " + read.names.time;
   if (read.date_order) {
     key += "|order " + std::to_string(static_cast<int>(*read.date_order));
   }

@@ -194,17 +194,12 @@ class Screener {
     for (const std::size_t beside : part.beside) {
       source.beside.push_back(files_[beside].path);
     }
-    source.ts = options_.read.ts;
-    source.date_order = options_.read.date_order;
-    source.decimal = options_.read.decimal;
-    source.time = options_.read.time;
-    source.u = file.names.u;
-    source.y = file.names.y;
-    source.sp = file.names.sp;
-    source.x = file.names.x;
+    static_cast<CsvOptions&>(source) = options_.read;
+    source.names = file.names;
+    source.names.time = options_.read.names.time;
     if (!part.beside.empty()) {
-      source.u = task.u_tag;
-      source.y = task.y_tag;
+      source.names.u = task.u_tag;
+      source.names.y = task.y_tag;
     }
     return read_recording(source);
   }

@@ -8,8 +8,8 @@ namespace {
 TEST(OptionWords, AreThoseThatWereGiven) {
   RecordingSource source;
   EXPECT_EQ(option_words(source), "");
-  source.u = "Out %";
-  source.loads = {"feed"};
+  source.names.u = "Out %";
+  source.names.loads = {"feed"};
   source.ts = 0.015;
   source.date_order = DateOrder::mdy;
   source.decimal = ',';

@@ -63,13 +63,13 @@ TEST_F(SourceTest, ReadsCandumpWithDbc) {
   source.dbc = file("plant.dbc",
                     "BO_ 1 M: 2 X\n SG_ U : 0|8@1+ (1,0) [0|0] \"\" X\n"
                     " SG_ Y : 8|8@1+ (1,0) [0|0] \"\" X\n");
-  source.u = "M.U";
+  source.names.u = "M.U";
   EXPECT_THROW(static_cast<void>(read_recording(source)), std::invalid_argument);
-  source.y = "M.Y";
+  source.names.y = "M.Y";
   const Recording r = read_recording(source);
   EXPECT_EQ(r.u, (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(r.y, (std::vector<double>{2, 3, 4}));
-  source.y.clear();
+  source.names.y.clear();
   source.required = {Column::u};
   EXPECT_EQ(read_recording(source).u, (std::vector<double>{1, 2, 3}));
 }
@@ -88,8 +88,8 @@ TEST_F(SourceTest, EndsWhereAStopIsAskedFor) {
   log.dbc = file("plant.dbc",
                  "BO_ 1 M: 2 X\n SG_ U : 0|8@1+ (1,0) [0|0] \"\" X\n"
                  " SG_ Y : 8|8@1+ (1,0) [0|0] \"\" X\n");
-  log.u = "M.U";
-  log.y = "M.Y";
+  log.names.u = "M.U";
+  log.names.y = "M.Y";
   const std::vector<RecordingSource*> all{&wide, &tags, &log};
   for (RecordingSource* source : all) {
     source->stop = stop.get_token();
@@ -130,7 +130,7 @@ TEST_F(SourceTest, ACandumpLogWithoutDbcIsNamedAsSuch) {
   } catch (const InputError& error) {
     EXPECT_NE(error.advice.find("--dbc"), std::string::npos);
   }
-  source.u = "M.U";
+  source.names.u = "M.U";
   EXPECT_THROW(static_cast<void>(read_recording(source)), std::invalid_argument);
 }
 

@@ -22,8 +22,8 @@ class SplitExportTest : public ::testing::Test {
     for (std::size_t i = 0; i < loops; ++i) {
       RecordingSource source;
       source.path = folder.file("e.csv");
-      source.u = split.file().loops[i].u_tag;
-      source.y = split.file().loops[i].y_tag;
+      source.names.u = split.file().loops[i].u_tag;
+      source.names.y = split.file().loops[i].y_tag;
       const Recording wanted = read_recording(source);
       const Recording read = split.recording(i);
       EXPECT_EQ(read.u, wanted.u);
