@@ -119,9 +119,7 @@ CLI::App& add_change(CLI::App& app, Action& action, int (*change)(const Options&
   add_model_file(command, *options);
   add_target(command, *options);
   add_work(command, *options, false);
-  command.footer(footer);
-  command.callback(
-      [&action, options, change] { action = [=] { return change(*options); }; });
+  runs(command, action, options, change, footer);
   return command;
 }
 

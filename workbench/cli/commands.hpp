@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 namespace CLI {
 class App;
@@ -11,6 +12,15 @@ namespace workbench::cli {
 
 /// What the parsed command line asks for; returns the exit code.
 using Action = std::function<int()>;
+
+/// Ends the description of a command, a CLI::App: its action is run(*options).
+template <class Command, class Options, class Run>
+void runs(Command& command, Action& action, std::shared_ptr<Options> options, Run run,
+          const char* footer) {
+  command.footer(footer);
+  command.callback(
+      [&action, options, run] { action = [options, run] { return run(*options); }; });
+}
 
 /// The whole command line: name, texts and all commands; both must outlive the parsing.
 void describe(CLI::App& app, Action& action);

@@ -91,9 +91,7 @@ void add_compare(CLI::App& app, Action& action) {
       app.add_subcommand("compare", "Show where a model fails, largest share first");
   add_model_options(*command, *options);
   add_model_file(*command, *options);
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return compare_with(*options); }; });
+  runs(*command, action, options, compare_with, kFooter);
 }
 
 }  // namespace workbench::cli

@@ -93,4 +93,9 @@ void ProgressLine::show(std::string_view text) {
                spent.count());
 }
 
+void ProgressLine::trying(std::string_view effect, int number, int of) {
+  show("trying " + std::string(effect) + ", " + std::to_string(number) + " of " +
+       std::to_string(of));
+}
+
 }  // namespace workbench::cli

@@ -44,6 +44,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(std::string_view text);
+  /// Which of the effects is tried.
+  void trying(std::string_view effect, int number, int of);
 
  private:
   using Clock = std::chrono::steady_clock;

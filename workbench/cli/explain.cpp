@@ -102,10 +102,7 @@ int explain_with(const ModelOptions& options) {
   {
     ProgressLine line;
     VerdictBeside beside(options, std::move(read.fitted), model.output, line);
-    const auto show = [&line](std::string_view effect, int i, int of) {
-      line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
-                std::to_string(of));
-    };
+    const auto show = [&line](auto... tried) { line.trying(tried...); };
     result =
         explain(recording, model, show, standard_catalogue(), work, beside.identified());
     verdict = beside.of(work, model, result.best());
@@ -137,9 +134,7 @@ void add_explain(CLI::App& app, Action& action) {
   add_model_options(*command, *options);
   add_model_file(*command, *options);
   add_work(*command, *options, true);
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return explain_with(*options); }; });
+  runs(*command, action, options, explain_with, kFooter);
 }
 
 }  // namespace workbench::cli

@@ -74,9 +74,7 @@ void add_identify(CLI::App& app, Action& action) {
   command->add_option("MORE", options->more,
                       "further recordings of the same loop, judged together");
   command->add_flag("--json", options->json, "one JSON object instead of text");
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return identify(*options); }; });
+  runs(*command, action, options, identify, kFooter);
 }
 
 }  // namespace workbench::cli

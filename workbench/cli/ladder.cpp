@@ -137,10 +137,7 @@ int climb(const ModelOptions& options) {
     ProgressLine line;
     VerdictBeside beside(options, std::move(read.fitted), ladder.output, line);
     ladder.identified = beside.identified();
-    ladder.progress = [&line](std::string_view effect, int i, int of) {
-      line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
-                std::to_string(of));
-    };
+    ladder.progress = [&line](auto... tried) { line.trying(tried...); };
     result = run_ladder(recording, ladder);
     verdict = beside.of(work, result.model, result.last.best());
     time_was_up = work.out_of_time();
@@ -170,9 +167,7 @@ void add_ladder(CLI::App& app, Action& action) {
   add_target(*command, *options);
   add_with(*command, *options);
   add_work(*command, *options, true);
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return climb(*options); }; });
+  runs(*command, action, options, climb, kFooter);
 }
 
 }  // namespace workbench::cli

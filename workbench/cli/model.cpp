@@ -79,9 +79,7 @@ void add_model(CLI::App& app, Action& action) {
   add_target(*command, *options);
   add_with(*command, *options);
   add_work(*command, *options, false);
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return make(*options); }; });
+  runs(*command, action, options, make, kFooter);
 }
 
 }  // namespace workbench::cli

@@ -200,7 +200,7 @@ std::vector<Recording> recordings_for(const ModelOptions& options, Column output
 
 ReadRecordings read_for(ModelOptions options, Column output,
                         const std::vector<std::string>& codes) {
-  std::vector<std::string>& loads = options.source.loads;
+  std::vector<std::string>& loads = options.source.names.loads;
   std::string needed;                 // by the effects, not asked for
   std::vector<std::string> in_model;  // loads that stay, whatever they are
   for (const std::string& code : codes) {

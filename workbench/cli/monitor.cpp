@@ -179,9 +179,7 @@ void add_monitor(CLI::App& app, Action& action) {
       ->type_name("LOW HIGH")
       ->expected(2);
   command->add_flag("--json", options->json, "one JSON object for each event");
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return monitor(*options); }; });
+  runs(*command, action, options, monitor, kFooter);
 }
 
 }  // namespace workbench::cli

@@ -104,9 +104,7 @@ void add_pull(CLI::App& app, Action& action) {
   command->add_flag("--history", options->history,
                     "what its windows said, for years, instead of the recording");
   command->add_flag("--extended", options->extended, "29 bits: 18DA10F1 and 18DAF110");
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return pull(*options); }; });
+  runs(*command, action, options, pull, kFooter);
 }
 
 }  // namespace workbench::cli

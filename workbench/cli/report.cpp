@@ -65,10 +65,7 @@ std::string comparison(const ModelOptions& options) {
     ProgressLine line;
     return ModelReport{
         recording, model, compare(recording, model),
-        explain(recording, model, [&line](std::string_view effect, int i, int of) {
-          line.show("trying " + std::string(effect) + ", " + std::to_string(i) + " of " +
-                    std::to_string(of));
-        })};
+        explain(recording, model, [&line](auto... tried) { line.trying(tried...); })};
   }();
   complain_about_unused(read, model);
   if (!recording.has(Column::y)) return model_page(report);
@@ -118,9 +115,7 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("--language", options->language, "of the page, default en")
       ->type_name("CODE")
       ->check(CLI::IsMember(languages()));
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return report(*options); }; });
+  runs(*command, action, options, report, kFooter);
 }
 
 }  // namespace workbench::cli

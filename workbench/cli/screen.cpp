@@ -289,7 +289,8 @@ void add_screen(CLI::App& app, Action& action) {
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   command
-      ->add_option("--time", options->screening.read.time, "column of times of all files")
+      ->add_option("--time", options->screening.read.names.time,
+                   "column of times of all files")
       ->type_name("COLUMN");
   add_date_order(*command, options->screening.read.date_order,
                  "of 03/04/2026: dmy, mdy, ymd");
@@ -309,9 +310,7 @@ void add_screen(CLI::App& app, Action& action) {
                     "times without dates count from one instant in all files");
   command->add_flag("--plan", options->plan,
                     "only name the sets of files that can be screened apart, one a line");
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return screen_paths(*options); }; });
+  runs(*command, action, options, screen_paths, kFooter);
 }
 
 }  // namespace workbench::cli

@@ -226,9 +226,7 @@ void add_simulate(CLI::App& app, Action& action) {
       ->check(CLI::Range(500, 1'000'000))
       ->group("Plant");
   command->add_flag("--files", options->files, "a file for each loop")->group("Plant");
-  command->footer(kFooter);
-  command->callback(
-      [&action, options] { action = [options] { return simulate_to_files(*options); }; });
+  runs(*command, action, options, simulate_to_files, kFooter);
 }
 
 }  // namespace workbench::cli
