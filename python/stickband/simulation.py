@@ -29,38 +29,14 @@ class SimulatedLoop:
 
     recording: Recording
     truth: Truth
+    period_s: float  #: sample period, s
+    t: Samples  #: times, s
+    u: Samples  #: controller output, units of u
+    y: Samples  #: measured process output, units of y
+    sp: Samples  #: setpoint, units of y
+    x: Samples  #: true valve position, units of u
     y_clean: Samples  #: y from the stem alone: no noise, no load; units of y
     _held: _core.Simulated = field(repr=False, compare=False)
-
-    @property
-    def period_s(self) -> float:
-        """Sample period, s."""
-        return self._held.period_s
-
-    @property
-    def t(self) -> Samples:
-        """Times, s."""
-        return self._held.t
-
-    @property
-    def u(self) -> Samples:
-        """Controller output, units of u."""
-        return self._held.u
-
-    @property
-    def y(self) -> Samples:
-        """Measured process output, units of y."""
-        return self._held.y
-
-    @property
-    def sp(self) -> Samples:
-        """Setpoint, units of y."""
-        return self._held.sp
-
-    @property
-    def x(self) -> Samples:
-        """True valve position, units of u."""
-        return self._held.x
 
     def save(self, path: Path, with_position: bool = True) -> None:
         """Writes the CSV file of ``stickband simulate``; ``with_position``: column x, too."""
@@ -92,10 +68,10 @@ def simulate(scenario: str, seed: int = 1) -> SimulatedLoop:
     """
     core = _core.Simulated(scenario, seed)
     truth: dict[str, Any] = Answer(core.truth).to_dict()
-    recording = Recording(core.u, core.y, t=core.t, sp=core.sp, x=core.x,
-                          name=f"{scenario}-{seed}")
-    return SimulatedLoop(recording, fields_of(Truth, truth, json=core.truth), core.y_clean,
-                         core)
+    columns = {key: getattr(core, key) for key in ("t", "u", "y", "sp", "x")}
+    recording = Recording(**columns, name=f"{scenario}-{seed}")
+    return SimulatedLoop(recording, fields_of(Truth, truth, json=core.truth),
+                         core.period_s, **columns, y_clean=core.y_clean, _held=core)
 
 
 def scenarios() -> dict[str, str]:
