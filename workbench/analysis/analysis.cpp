@@ -172,9 +172,7 @@ void Analysis::mind_one_signal() {
   const Recording& shown = signals_.front();
   if (is_fault(result_.verdict) || !is_one_signal(shown.u, shown.y)) return;
   if (result_.verdict == ident::Verdict::kNoStiction) {
-    result_.verdict = ident::Verdict::kUndecided;
-    result_.reason = ident::Reason::kBandWouldNotShow;
-    result_.cause = ident::Cause::kUnknown;
+    leave_open(ident::Reason::kBandWouldNotShow);
   }
   result_.detectable_band = 0;
 }

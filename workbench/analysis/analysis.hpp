@@ -124,7 +124,7 @@ class Analysis {
   [[nodiscard]] ident::EarlierValve handed_on(std::size_t from, std::size_t to,
                                               ident::EarlierValve valve) const;
   [[nodiscard]] WindowFinding finding_of(const Window& window) const;
-  void take_medians(const std::vector<const Identification*>& agreeing);
+  void leave_open(ident::Reason reason);
   void vote(const std::vector<Identification>& results);
   void note_votes();
   void mind_detectable();

@@ -1,7 +1,6 @@
 // What the windows of an analysis say together.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 
 #include "ident/verdict/judge.hpp"
@@ -16,17 +15,20 @@ namespace workbench {
 namespace {
 
 using Estimate = ident::Estimate<double>;
+using Strokes = ident::PerStroke<double>;
 using Windows = std::vector<const Identification*>;
 
-// Of a number that more than half of the windows know.
-Estimate told_by_most(
-    const Windows& results,
-    const std::function<const Estimate&(const Identification&)>& number) {
-  std::vector<Estimate> known;
-  for (const Identification* result : results) {
-    if (number(*result).known) known.push_back(number(*result));
-  }
-  return 2 * known.size() > results.size() ? median_of(known) : Estimate{};
+// The median of each stroke that more than half of the windows know.
+Strokes told_by_most(const Windows& results, Strokes Identification::*strokes) {
+  const auto told = [&](Estimate Strokes::*stroke) {
+    std::vector<Estimate> known;
+    for (const Identification* result : results) {
+      const Estimate& one = result->*strokes.*stroke;
+      if (one.known) known.push_back(one);
+    }
+    return 2 * known.size() > results.size() ? median_of(known) : Estimate{};
+  };
+  return {told(&Strokes::ascending), told(&Strokes::descending)};
 }
 
 // The cause that more than half of the windows name.
@@ -61,9 +63,7 @@ void Analysis::judge_together(const std::vector<Identification>& results, float 
     result_.slip_jump = {};
   } else if (view == ident::PooledView::kNothing && fault &&
              ident::nats_of_stems(result_.evidence, 0.0) < ident::kAloneNats) {
-    result_.verdict = ident::Verdict::kUndecided;
-    result_.reason = ident::Reason::kWindowsDisagree;
-    result_.cause = ident::Cause::kUnknown;
+    leave_open(ident::Reason::kWindowsDisagree);
     result_.stick_band = result_.slip_jump = {};
   } else if (result_.verdict == ident::Verdict::kNoStiction) {
     double speaks = pooled_.nats;
@@ -75,11 +75,15 @@ void Analysis::judge_together(const std::vector<Identification>& results, float 
       ++windows;
     }
     if (!(speaks + bounded > ident::kNoNats * std::sqrt(windows))) return;
-    result_.verdict = ident::Verdict::kUndecided;
-    result_.reason =
-        bounded > speaks ? ident::Reason::kStemBounded : ident::Reason::kEvidenceTooWeak;
-    result_.cause = ident::Cause::kUnknown;
+    leave_open(bounded > speaks ? ident::Reason::kStemBounded
+                                : ident::Reason::kEvidenceTooWeak);
   }
+}
+
+void Analysis::leave_open(ident::Reason reason) {
+  result_.verdict = ident::Verdict::kUndecided;
+  result_.reason = reason;
+  result_.cause = ident::Cause::kUnknown;
 }
 
 // No band is told that none of the recordings has.
@@ -90,27 +94,11 @@ void Analysis::mind_contradictions() {
   notes_.push_back(found.note);
   if (found.kind == Kind::kGains ||
       (found.kind == Kind::kRepaired && !found.mostly_sticks)) {
-    result_.verdict = ident::Verdict::kUndecided;
-    result_.reason = ident::Reason::kWindowsDisagree;
-    result_.cause = ident::Cause::kUnknown;
+    leave_open(ident::Reason::kWindowsDisagree);
   }
   if (found.kind != Kind::kRepaired || !found.mostly_sticks) {
     result_.stick_band = result_.slip_jump = {};
   }
-}
-
-void Analysis::take_medians(const std::vector<const Identification*>& agreeing) {
-  using R = const Identification&;
-  result_.stick_band = {
-      told_by_most(agreeing,
-                   [](R r) -> const Estimate& { return r.stick_band.ascending; }),
-      told_by_most(agreeing,
-                   [](R r) -> const Estimate& { return r.stick_band.descending; })};
-  result_.slip_jump = {
-      told_by_most(agreeing,
-                   [](R r) -> const Estimate& { return r.slip_jump.ascending; }),
-      told_by_most(agreeing,
-                   [](R r) -> const Estimate& { return r.slip_jump.descending; })};
 }
 
 void Analysis::vote(const std::vector<Identification>& results) {
@@ -151,10 +139,10 @@ void Analysis::vote(const std::vector<Identification>& results) {
     result_.reason = ident::Reason::kEvidenceTooWeak;
     result_.cause = ident::Cause::kUnknown;
   }
-  result_.stick_band = {};
-  result_.slip_jump = {};
+  result_.stick_band = result_.slip_jump = {};
   if (is_fault(verdict)) {
-    take_medians(agreeing);
+    result_.stick_band = told_by_most(agreeing, &Identification::stick_band);
+    result_.slip_jump = told_by_most(agreeing, &Identification::slip_jump);
     result_.reason = ident::strokes_that_stick(result_.reason, result_.stick_band);
   }
 }

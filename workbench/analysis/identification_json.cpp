@@ -1,6 +1,7 @@
 #include "workbench/analysis/identification_json.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <string>
 
@@ -43,21 +44,11 @@ Json model_json(const ident::TwoPathModel<double>& model, bool is_known) {
 }
 
 const char* name_of(ident::ValveForm form) {
-  switch (form) {
-    case ident::ValveForm::kLinear:
-      return "linear";
-    case ident::ValveForm::kBacklash:
-      return "backlash";
-    case ident::ValveForm::kAscending:
-      return "sticks_ascending";
-    case ident::ValveForm::kDescending:
-      return "sticks_descending";
-    case ident::ValveForm::kSymmetric:
-      return "sticks_alike";
-    case ident::ValveForm::kMixed:
-      return "sticks_unequally";
-  }
-  return "linear";
+  constexpr const char* kNames[] = {"linear",           "backlash",
+                                    "sticks_ascending", "sticks_descending",
+                                    "sticks_alike",     "sticks_unequally"};
+  static_assert(std::size(kNames) == ident::kValveForms);
+  return kNames[static_cast<int>(form)];
 }
 
 Json windows_json(const Analysis& analysis) {

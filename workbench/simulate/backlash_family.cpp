@@ -77,7 +77,7 @@ double move_loop(Random& random, std::size_t total, double period, Draft& draft)
       break;
   }
   const bool load = random.chance(0.5);
-  for (double& value : motion) value *= swing / 2 * (load ? 1 : setup.process.gain);
+  scale(motion, swing / 2 * (load ? 1 : setup.process.gain));
   if (load)
     setup.input_load = motion;
   else

@@ -78,6 +78,26 @@ DrawnLoop draw_level(Random& random) {
   return out;
 }
 
+void lift_limits(PiSettings& controller) {
+  controller.low = PiSettings{}.low;
+  controller.high = PiSettings{}.high;
+}
+
+// A setpoint step of 1 with a linear valve and no limits.
+Trajectory step_freely(const Draft& draft, std::size_t samples, double gain_factor) {
+  LoopSetup setup;
+  setup.process = draft.setup.process;
+  setup.controller = draft.setup.controller;
+  lift_limits(setup.controller);
+  setup.controller.gain *= gain_factor;
+  setup.period_s = draft.setup.period_s;
+  setup.positioner_lag_s = draft.setup.positioner_lag_s;
+  setup.samples = samples;
+  setup.setpoint = {1};
+  LinearValve valve;
+  return run_loop(setup, valve);
+}
+
 }  // namespace
 
 LoopType draw_loop_type(Random& random) {
@@ -165,19 +185,18 @@ Trajectory run_with_linear_valve(const Draft& draft) {
   return run_loop(draft.setup, valve);
 }
 
+void scale(std::vector<double>& signal, double factor) {
+  for (double& value : signal) value *= factor;
+}
+
+double free_swing(Draft draft) {
+  lift_limits(draft.setup.controller);
+  return swing_of(run_with_linear_valve(draft).u);
+}
+
 bool settles(const Draft& draft) {
-  LoopSetup setup;
-  setup.process = draft.setup.process;
-  setup.controller = draft.setup.controller;
-  setup.controller.low = -1e300;
-  setup.controller.high = 1e300;
-  setup.period_s = draft.setup.period_s;
-  setup.positioner_lag_s = draft.setup.positioner_lag_s;
-  setup.samples = 3000;
-  setup.setpoint = {1};
-  LinearValve valve;
-  const Trajectory step = run_loop(setup, valve);
-  for (std::size_t t = 0; t < setup.samples; ++t) {
+  const Trajectory step = step_freely(draft, 3000, 1);
+  for (std::size_t t = 0; t < step.y.size(); ++t) {
     const double limit = t < 1500 ? 0.7 : 0.02;
     if (!(step.y[t] - 1 < limit)) return false;
     if (t >= 1500 && !(step.y[t] - 1 > -limit)) return false;
@@ -186,18 +205,7 @@ bool settles(const Draft& draft) {
 }
 
 double ringing_growth(const Draft& draft, double gain_factor) {
-  LoopSetup setup;
-  setup.process = draft.setup.process;
-  setup.controller = draft.setup.controller;
-  setup.controller.low = -1e300;
-  setup.controller.high = 1e300;
-  setup.controller.gain *= gain_factor;
-  setup.period_s = draft.setup.period_s;
-  setup.setpoint = {1};
-  setup.samples = 1500;
-  Draft linear;
-  linear.setup = setup;
-  const Trajectory run = run_with_linear_valve(linear);
+  const Trajectory run = step_freely(draft, 1500, gain_factor);
   std::vector<double> error;
   for (const double y : run.y) error.push_back(y - 1);
   const std::span<const double> all(error);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "workbench/simulate/closed_loop.hpp"
 #include "workbench/simulate/friction.hpp"
@@ -55,6 +56,11 @@ void draw_noise(Random& random, std::size_t samples, double std, Draft& draft);
 [[nodiscard]] std::unique_ptr<Valve> make_valve(const Draft& draft);
 [[nodiscard]] Trajectory run_draft(const Draft& draft);
 [[nodiscard]] Trajectory run_with_linear_valve(const Draft& draft);
+
+void scale(std::vector<double>& signal, double factor);
+
+/// How far u swings with a linear valve and no limits.
+[[nodiscard]] double free_swing(Draft draft);
 
 /// True if the loop with a linear valve answers a setpoint step with less than
 /// 70 % overshoot and settles.

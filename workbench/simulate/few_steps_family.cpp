@@ -28,17 +28,6 @@ std::vector<double> few_steps(Random& random, std::size_t warm_up, std::size_t s
   return signal;
 }
 
-void scale(std::vector<double>& signal, double factor) {
-  for (double& value : signal) value *= factor;
-}
-
-// Swing of u with a linear valve that meets no limit.
-double linear_swing(Draft draft) {
-  draft.setup.controller.low = -1e300;
-  draft.setup.controller.high = 1e300;
-  return swing_of(run_with_linear_valve(draft).u);
-}
-
 }  // namespace
 
 SimulatedLoop few_steps_family(std::string_view scenario, std::uint64_t seed,
@@ -56,10 +45,10 @@ SimulatedLoop few_steps_family(std::string_view scenario, std::uint64_t seed,
     const double swing = random.log_uniform(3, 40);
     const double pole = 1 - 1 / random.log_uniform(50, 2000);
     setup.input_load = coloured_noise(random, total, pole, 1);
-    scale(setup.input_load, swing * random.log_uniform(0.02, 0.3) / linear_swing(draft));
+    scale(setup.input_load, swing * random.log_uniform(0.02, 0.3) / free_swing(draft));
     std::vector<double> load = std::exchange(setup.input_load, {});
     setup.setpoint = few_steps(random, setup.warm_up, setup.samples);
-    scale(setup.setpoint, swing / linear_swing(draft));
+    scale(setup.setpoint, swing / free_swing(draft));
     setup.input_load = std::move(load);
     const Trajectory quiet = run_with_linear_valve(draft);
     draw_noise(random, total, swing_of(quiet.y) / 2 / random.log_uniform(5, 100), draft);

@@ -45,10 +45,6 @@ std::size_t total(const Draft& draft) {
   return draft.setup.warm_up + draft.setup.samples;
 }
 
-void scale(std::vector<double>& signal, double factor) {
-  for (double& value : signal) value *= factor;
-}
-
 bool touches_limits(const Draft& draft, const Trajectory& run) {
   const auto [low, high] = std::minmax_element(run.u.begin(), run.u.end());
   return *low <= draft.setup.controller.low || *high >= draft.setup.controller.high;
@@ -62,23 +58,12 @@ void put_load(Random& random, Draft& draft, std::vector<double> load, double swi
   std::vector<double>& place = at_input ? setup.input_load : setup.output_load;
   if (!at_input) scale(load, std::abs(setup.process.gain));
   place = std::move(load);
-  const double low = std::exchange(setup.controller.low, -1e300);
-  const double high = std::exchange(setup.controller.high, 1e300);
-  const Trajectory unit = run_with_linear_valve(draft);
-  setup.controller.low = low;
-  setup.controller.high = high;
-  scale(place, swing / swing_of(unit.u));
+  scale(place, swing / free_swing(draft));
 }
 
 void put_setpoint(Draft& draft, std::vector<double> motion, double swing) {
-  LoopSetup& setup = draft.setup;
-  setup.setpoint = std::move(motion);
-  const double low = std::exchange(setup.controller.low, -1e300);
-  const double high = std::exchange(setup.controller.high, 1e300);
-  const Trajectory unit = run_with_linear_valve(draft);
-  setup.controller.low = low;
-  setup.controller.high = high;
-  scale(setup.setpoint, swing / swing_of(unit.u));
+  draft.setup.setpoint = std::move(motion);
+  scale(draft.setup.setpoint, swing / free_swing(draft));
 }
 
 // Noise for a signal-to-noise ratio, amplitude over standard deviation.

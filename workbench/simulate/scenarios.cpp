@@ -17,49 +17,41 @@ struct Scenario {
   SimulatedLoop (*make)(std::string_view name, std::uint64_t seed);
 };
 
+template <const Friction& kValve, const double& kSetpoint>
+SimulatedLoop paper(std::string_view name, std::uint64_t seed) {
+  return paper_example(name, seed, kValve, kSetpoint);
+}
+
+template <Strokes kStrokes, bool kLevel = false, bool kMovingSetpoint = false>
+SimulatedLoop sticking(std::string_view name, std::uint64_t seed) {
+  return stiction_family(name, seed, kStrokes, kLevel, kMovingSetpoint);
+}
+
+template <bool kSticks>
+SimulatedLoop few_steps(std::string_view name, std::uint64_t seed) {
+  return few_steps_family(name, seed, kSticks);
+}
+
 constexpr Scenario kScenarios[] = {
     {{"paper-example-1", "the paper's Example 5.1: He's valve with fs = 5, fd = 0"},
-     [](std::string_view name, std::uint64_t seed) {
-       return paper_example(name, seed, kPaperValve, kPaperSetpoint);
-     }},
+     paper<kPaperValve, kPaperSetpoint>},
     {{"paper-example-1-midway",
       "the same with the setpoint midway between two standstills"},
-     [](std::string_view name, std::uint64_t seed) {
-       return paper_example(name, seed, kPaperValve, kMidwaySetpoint);
-     }},
+     paper<kPaperValve, kMidwaySetpoint>},
     {{"paper-example-1-ascending", "Example 5.1 with only the ascending stroke sticking"},
-     [](std::string_view name, std::uint64_t seed) {
-       return paper_example(name, seed, kPaperValveAscending, kMidwaySetpoint);
-     }},
+     paper<kPaperValveAscending, kMidwaySetpoint>},
     {{"paper-example-1-descending",
       "Example 5.1 with only the descending stroke sticking"},
-     [](std::string_view name, std::uint64_t seed) {
-       return paper_example(name, seed, kPaperValveDescending, kMidwaySetpoint);
-     }},
+     paper<kPaperValveDescending, kMidwaySetpoint>},
     {{"paper-example-1-mixed", "Example 5.1 with both strokes sticking, unequally"},
-     [](std::string_view name, std::uint64_t seed) {
-       return paper_example(name, seed, kPaperValveMixed, kMidwaySetpoint);
-     }},
-    {{"stiction", "sticking valve, equal strokes"},
-     [](std::string_view name, std::uint64_t seed) {
-       return stiction_family(name, seed, Strokes::kEqual, false, false);
-     }},
-    {{"stiction-one-sided", "only one stroke sticks"},
-     [](std::string_view name, std::uint64_t seed) {
-       return stiction_family(name, seed, Strokes::kOneSided, false, false);
-     }},
-    {{"stiction-mixed", "both strokes stick, unequally"},
-     [](std::string_view name, std::uint64_t seed) {
-       return stiction_family(name, seed, Strokes::kMixed, false, false);
-     }},
+     paper<kPaperValveMixed, kMidwaySetpoint>},
+    {{"stiction", "sticking valve, equal strokes"}, sticking<Strokes::kEqual>},
+    {{"stiction-one-sided", "only one stroke sticks"}, sticking<Strokes::kOneSided>},
+    {{"stiction-mixed", "both strokes stick, unequally"}, sticking<Strokes::kMixed>},
     {{"stiction-integrating", "sticking valve on an integrating process, a level loop"},
-     [](std::string_view name, std::uint64_t seed) {
-       return stiction_family(name, seed, Strokes::kEqual, true, false);
-     }},
+     sticking<Strokes::kEqual, true>},
     {{"stiction-setpoint", "sticking valve while the setpoint moves"},
-     [](std::string_view name, std::uint64_t seed) {
-       return stiction_family(name, seed, Strokes::kEqual, false, true);
-     }},
+     sticking<Strokes::kEqual, false, true>},
     {{"backlash", "play without slip jump: limit cycle, or moved by load or setpoint"},
      backlash_family},
     {{"external-sinusoid", "healthy loop under a periodic load"}, external_sinusoid},
@@ -75,13 +67,8 @@ constexpr Scenario kScenarios[] = {
     {{"load-and-noise", "healthy loop, load steps, drift and strong noise"},
      load_and_noise},
     {{"few-steps", "healthy loop, one to four setpoint steps and a wandering load"},
-     [](std::string_view name, std::uint64_t seed) {
-       return few_steps_family(name, seed, false);
-     }},
-    {{"stiction-few-steps", "the same behind a valve that sticks"},
-     [](std::string_view name, std::uint64_t seed) {
-       return few_steps_family(name, seed, true);
-     }},
+     few_steps<false>},
+    {{"stiction-few-steps", "the same behind a valve that sticks"}, few_steps<true>},
 };
 
 constexpr auto kInfos = [] {
