@@ -99,8 +99,10 @@ std::vector<hal::CanFilter> Daemon::filters(std::size_t bus) const {
   return filters;
 }
 
-void Daemon::notify(const Notice& notice) {
-  if (notice_count_ < kMostNotices) notices_[notice_count_++] = notice;
+Notice& Daemon::notify(NoticeKind kind, std::size_t index) {
+  Notice& notice = notices_[notice_count_];
+  if (notice_count_ < kMostNotices) ++notice_count_;
+  return notice = {.kind = kind, .t_us = now_.us, .index = index};
 }
 
 void Daemon::send(std::size_t bus, const wire::CanFrame& frame) {
@@ -110,9 +112,7 @@ void Daemon::send(std::size_t bus, const wire::CanFrame& frame) {
 void Daemon::take_bus(std::size_t bus, const BusState& state) {
   BusState& known = buses_[bus];
   if (state.up != known.up) {
-    notify({.kind = state.up ? NoticeKind::kBusUp : NoticeKind::kBusDown,
-            .t_us = now_.us,
-            .index = bus});
+    notify(state.up ? NoticeKind::kBusUp : NoticeKind::kBusDown, bus);
     if (!state.up && uds_ && configuration_.uds->bus == bus) uds_->reset();
   }
   const std::uint64_t lost = state.drops - known.drops;
@@ -133,7 +133,7 @@ void Daemon::take_frame(const BusFrame& in) {
   if (in.frame.error) {
     const bool off = (in.frame.id & kErrorBusOff) != 0;
     if (off && !bus_off_[in.bus]) {
-      notify({.kind = NoticeKind::kBusOff, .t_us = in.t_us, .index = in.bus});
+      notify(NoticeKind::kBusOff, in.bus).t_us = in.t_us;
     }
     bus_off_[in.bus] = off && (in.frame.id & kErrorRestarted) == 0;
     return;
@@ -172,45 +172,31 @@ void Daemon::tell_mode(std::size_t index, wire::LoopMode before) {
   const wire::LoopMode mode = status_[index].mode;
   const bool suspended = mode == wire::LoopMode::kManual;
   if (suspended == (before == wire::LoopMode::kManual)) return;
-  notify({.kind = suspended ? NoticeKind::kSuspended : NoticeKind::kResumed,
-          .t_us = now_.us,
-          .index = index,
-          .mode = loops_[index]->live(Role::kMode)});
+  notify(suspended ? NoticeKind::kSuspended : NoticeKind::kResumed, index).mode =
+      loops_[index]->live(Role::kMode);
 }
 
 void Daemon::tell_findings(std::size_t index) {
   MonitoredLoop& loop = *loops_[index];
   if (const auto trend = loop.new_trend()) {
-    notify(
-        {.kind = NoticeKind::kTrend, .t_us = now_.us, .index = index, .trend = *trend});
+    notify(NoticeKind::kTrend, index).trend = *trend;
   }
   if (const auto slow = loop.new_slow_signal()) {
-    notify({.kind = NoticeKind::kSlowSignal,
-            .t_us = now_.us,
-            .index = index,
-            .slow = *slow});
+    notify(NoticeKind::kSlowSignal, index).slow = *slow;
   }
   if (const auto senders = loop.new_two_senders()) {
-    notify({.kind = NoticeKind::kTwoSenders,
-            .t_us = now_.us,
-            .index = index,
-            .senders = *senders});
+    notify(NoticeKind::kTwoSenders, index).senders = *senders;
   }
   if (const auto range = loop.span_doubted()) {
-    notify({.kind = NoticeKind::kSpanDoubted,
-            .t_us = now_.us,
-            .index = index,
-            .u_range = *range});
+    notify(NoticeKind::kSpanDoubted, index).u_range = *range;
   }
   if (loop.signals_swapped()) {
-    notify({.kind = NoticeKind::kSignalsSwapped, .t_us = now_.us, .index = index});
+    notify(NoticeKind::kSignalsSwapped, index);
   }
   if (loop.band_changed()) {
-    notify({.kind = NoticeKind::kBandChanged,
-            .t_us = now_.us,
-            .index = index,
-            .band_low_pct = status_[index].stick_band_low_pct,
-            .band_high_pct = status_[index].stick_band_high_pct});
+    Notice& notice = notify(NoticeKind::kBandChanged, index);
+    notice.band_low_pct = status_[index].stick_band_low_pct;
+    notice.band_high_pct = status_[index].stick_band_high_pct;
     changed_[index] = true;
   }
 }
@@ -229,30 +215,26 @@ void Daemon::refresh(std::size_t index) {
         event->kind == ident::EventKind::kInputRestored) {
       continue;
     }
-    notify({.kind = NoticeKind::kMonitor,
-            .t_us = event->t_us,
-            .index = index,
-            .event = *event});
+    Notice& notice = notify(NoticeKind::kMonitor, index);
+    notice.t_us = event->t_us;
+    notice.event = *event;
   }
   if (wire::is_usable(status.input) != wire::is_usable(input_before)) {
-    notify({.kind = wire::is_usable(status.input) ? NoticeKind::kInputRestored
-                                                  : NoticeKind::kInputFault,
-            .t_us = now_.us,
-            .index = index,
-            .input = wire::is_usable(status.input) ? input_before : status.input,
-            .far = status.input == wire::InputStatus::kOutOfRange ? loop.far_signal()
-                                                                  : std::nullopt});
+    const bool restored = wire::is_usable(status.input);
+    Notice& notice =
+        notify(restored ? NoticeKind::kInputRestored : NoticeKind::kInputFault, index);
+    notice.input = restored ? input_before : status.input;
+    if (status.input == wire::InputStatus::kOutOfRange) notice.far = loop.far_signal();
   }
   tell_mode(index, mode_before);
   if (const auto row = loop.take_row()) rows_[row_count_++] = {status.id, *row};
   tell_findings(index);
   if (status.flag != flag_before) {
-    notify({.kind = !status.flag             ? NoticeKind::kFlagLowered
-                    : loop.rests_on_before() ? NoticeKind::kFlagKept
-                                             : NoticeKind::kFlagRaised,
-            .t_us = now_.us,
-            .index = index,
-            .age_s = status.age_s});
+    notify(!status.flag             ? NoticeKind::kFlagLowered
+           : loop.rests_on_before() ? NoticeKind::kFlagKept
+                                    : NoticeKind::kFlagRaised,
+           index)
+        .age_s = status.age_s;
   }
   if (changed) changed_[index] = true;
   dtcs_.update(status);

@@ -258,7 +258,8 @@ class Daemon final : private wire::UdsActions {
   void broadcast();
   void broadcast_loop(std::size_t index);
   void send(std::size_t bus, const wire::CanFrame& frame);
-  void notify(const Notice& notice);
+  // The next notice, to be filled in.
+  Notice& notify(NoticeKind kind, std::size_t index = 0);
   template <class Act>
   bool for_loops(int id, Act act);
 
@@ -295,7 +296,7 @@ class Daemon final : private wire::UdsActions {
 
   std::array<OutFrame, kMostFrames> frames_;
   std::size_t frame_count_ = 0;
-  std::array<Notice, kMostNotices> notices_;
+  std::array<Notice, kMostNotices + 1> notices_;  // and one that is lost
   std::size_t notice_count_ = 0;
   std::array<LoopRow, wire::kMostLoops> rows_;
   std::size_t row_count_ = 0;

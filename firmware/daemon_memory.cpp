@@ -34,10 +34,9 @@ wire::StateError Daemon::restore(std::span<const std::uint8_t> image, const Now&
     dtcs_.resume(status_[k]);
     set_flag(k);
     if (!status_[k].flag) continue;
-    notify({.kind = NoticeKind::kFlagKept,
-            .t_us = now.us,
-            .index = k,
-            .age_s = status_[k].age_s});
+    Notice& notice = notify(NoticeKind::kFlagKept, k);
+    notice.t_us = now.us;
+    notice.age_s = status_[k].age_s;
   }
   return error;
 }

@@ -56,11 +56,10 @@ void Daemon::tell(wire::UdsAct act, std::uint8_t tester, int loop) {
       ++counters.simulations;
       break;
   }
-  notify({.kind = NoticeKind::kAccess,
-          .t_us = now_.us,
-          .act = act,
-          .tester = tester,
-          .loop = loop});
+  Notice& notice = notify(NoticeKind::kAccess);
+  notice.act = act;
+  notice.tester = tester;
+  notice.loop = loop;
 }
 
 std::uint32_t Daemon::begin_recording(int loop) {

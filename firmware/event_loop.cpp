@@ -15,7 +15,6 @@
 #include "firmware/metrics.hpp"
 #include "firmware/notice_text.hpp"
 #include "firmware/replace_file.hpp"
-#include "hal/message.hpp"
 #include "wire/big_endian.hpp"
 #include "wire/crc32.hpp"
 
@@ -365,10 +364,8 @@ void EventLoop::write_textfile(const Now& at) {
                 gateway_->configuration.group, textfile_);
   const bool good = replace_file(metrics->path.c_str(), textfile_, Readers::kEverybody);
   if (!good && !textfile_failed_) {
-    hal::Message text;
-    text.set("%s: cannot be written: %s; it stays as it was", metrics->path.c_str(),
-             std::strerror(errno));
-    log_.write(at.us, Priority::kError, text.c_str());
+    log_.print(at.us, Priority::kError, "%s: cannot be written: %s; it stays as it was",
+               metrics->path.c_str(), std::strerror(errno));
   }
   textfile_failed_ = !good;
   failures_.textfile += good ? 0 : 1;

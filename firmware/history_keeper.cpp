@@ -4,8 +4,6 @@
 #include <cstring>
 #include <vector>
 
-#include "hal/message.hpp"
-
 namespace firmware {
 
 HistoryKeeper::HistoryKeeper(const config::History& settings, Log& log)
@@ -23,18 +21,17 @@ bool HistoryKeeper::open(Daemon& daemon, std::int64_t now_us) {
   if (opened == Opened::kTaken) return false;
   usable_ = opened != Opened::kFailed;
   const char* path = file_.path().c_str();
-  hal::Message text;
   if (!usable_) {
-    text.set("%s: cannot be opened: %s; there is no history", path, std::strerror(errno));
-    log_.write(now_us, Priority::kError, text.c_str());
+    log_.print(now_us, Priority::kError, "%s: cannot be opened: %s; there is no history",
+               path, std::strerror(errno));
     return true;
   }
   if (opened == Opened::kDamaged) {
-    text.set(
+    log_.print(
+        now_us, Priority::kError,
         "%s: expected a history, found another or a damaged file; begun anew, kept "
         "as .bad",
         path);
-    log_.write(now_us, Priority::kError, text.c_str());
   }
   for (std::size_t k = 0; k < loops.size(); ++k) {
     daemon.recall(k, file_.rows(loops[k].id));
@@ -60,9 +57,8 @@ void HistoryKeeper::keep(std::int64_t now_us, WriteBudget& budget) {
   }
   const std::uint32_t failures = file_.failures();
   if (failures > told_ && told_ == 0) {
-    hal::Message text;
-    text.set("%s: cannot be written; what came is lost", file_.path().c_str());
-    log_.write(now_us, Priority::kError, text.c_str());
+    log_.print(now_us, Priority::kError, "%s: cannot be written; what came is lost",
+               file_.path().c_str());
   }
   told_ = failures;
 }

@@ -1,6 +1,9 @@
 #include "firmware/log.hpp"
 
 #include <algorithm>
+#include <cstdarg>
+
+#include "hal/message.hpp"
 
 namespace firmware {
 namespace {
@@ -31,6 +34,15 @@ void Log::write(std::int64_t now_us, Priority priority, const char* text, Topic 
   }
   std::fprintf(out_, "<%d>%s\n", static_cast<int>(priority), text);
   std::fflush(out_);
+}
+
+void Log::print(std::int64_t now_us, Priority priority, const char* format, ...) {
+  hal::Message text;
+  std::va_list arguments;
+  va_start(arguments, format);
+  text.print(format, arguments);
+  va_end(arguments);
+  write(now_us, priority, text.c_str());
 }
 
 std::uint64_t Log::suppressed() const {

@@ -31,6 +31,9 @@ class Log {
   /// Writes `text` as one line, or counts it as suppressed. `now_us`: monotonic.
   void write(std::int64_t now_us, Priority priority, const char* text,
              Topic topic = Topic::kGateway);
+  /// The same of the gateway, as printf does; cut as a message is.
+  [[gnu::format(printf, 4, 5)]] void print(std::int64_t now_us, Priority priority,
+                                           const char* format, ...);
   /// Lines of all topics.
   [[nodiscard]] std::uint64_t suppressed() const;
 

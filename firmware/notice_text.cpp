@@ -7,6 +7,8 @@
 namespace firmware {
 namespace {
 
+using hal::Message;
+
 struct Kind {
   NoticeKind kind;
   std::string_view name;
@@ -57,72 +59,72 @@ void put_band(char* out, std::size_t size, const ident::Estimate<float>& band) {
   }
 }
 
-void describe_kept_flag(const Notice& notice, const char* tag, hal::Message& out) {
+Message describe_kept_flag(const Notice& notice, const char* tag) {
   if (std::isnan(notice.age_s)) {
-    return out.set("%s: FLAG RAISED as before, by a window of unknown age", tag);
+    return Message::of("%s: FLAG RAISED as before, by a window of unknown age", tag);
   }
-  out.set("%s: FLAG RAISED as before, by a window that ended %.4g h ago", tag,
-          notice.age_s / 3600);
+  return Message::of("%s: FLAG RAISED as before, by a window that ended %.4g h ago", tag,
+                     notice.age_s / 3600);
 }
 
-void describe_band(const Notice& notice, const char* tag, hal::Message& out) {
+Message describe_band(const Notice& notice, const char* tag) {
   const wire::StrokeValues& low = notice.band_low_pct;
   const wire::StrokeValues& high = notice.band_high_pct;
-  out.set(
+  return Message::of(
       "%s: the stick band has changed: now %.4g to %.4g %% of span ascending, "
       "%.4g to %.4g %% descending",
       tag, low.ascending, high.ascending, low.descending, high.descending);
 }
 
-void describe_trend(const Trend& trend, const char* tag, hal::Message& out) {
+Message describe_trend(const Trend& trend, const char* tag) {
   const double per_week = 7 * trend.slope;
   if (std::isnan(trend.days)) {
-    return out.set("%s: the stick band falls: %.3g %% of span a week (%.3g to %.3g)", tag,
-                   per_week, 7 * trend.low, 7 * trend.high);
+    return Message::of("%s: the stick band falls: %.3g %% of span a week (%.3g to %.3g)",
+                       tag, per_week, 7 * trend.low, 7 * trend.high);
   }
-  out.set(
+  return Message::of(
       "%s: the stick band grows: %.3g %% of span a week (%.3g to %.3g); needs "
       "attention in about %.0f days, %.0f to %.0f",
       tag, per_week, 7 * trend.low, 7 * trend.high, trend.days, trend.days_early,
       trend.days_late);
 }
 
-void describe_event(const ident::Event<float>& event, const char* tag, double period_s,
-                    hal::Message& out) {
+Message describe_event(const ident::Event<float>& event, const char* tag,
+                       double period_s) {
   switch (event.kind) {
     case ident::EventKind::kOscillationStarted:
-      return out.set("%s: oscillation started, period %.4g s", tag,
-                     static_cast<double>(event.period_samples) * period_s);
+      return Message::of("%s: oscillation started, period %.4g s", tag,
+                         static_cast<double>(event.period_samples) * period_s);
     case ident::EventKind::kOscillationEnded:
-      return out.set("%s: oscillation ended", tag);
+      return Message::of("%s: oscillation ended", tag);
     case ident::EventKind::kStictionRaised: {
       char ascending[16];
       char descending[16];
       put_band(ascending, sizeof ascending, event.stick_band.ascending);
       put_band(descending, sizeof descending, event.stick_band.descending);
-      return out.set("%s: STICTION RAISED, stick band %s ascending, %s descending", tag,
-                     ascending, descending);
+      return Message::of("%s: STICTION RAISED, stick band %s ascending, %s descending",
+                         tag, ascending, descending);
     }
     case ident::EventKind::kStictionCleared:
-      return out.set("%s: stiction cleared", tag);
+      return Message::of("%s: stiction cleared", tag);
     default: {
       const std::string_view why = ident::sentence(event.reason);
-      return out.set("%s: undecided: %.*s", tag, static_cast<int>(why.size()),
-                     why.data());
+      return Message::of("%s: undecided: %.*s", tag, static_cast<int>(why.size()),
+                         why.data());
     }
   }
 }
 
-void describe_fault(const Notice& notice, const config::Loop& loop, hal::Message& out) {
+Message describe_fault(const Notice& notice, const config::Loop& loop) {
   const std::string_view input = name_of(notice.input);
   const char* tag = loop.tag.c_str();
   if (!notice.far) {
-    return out.set("%s: input fault: %.*s", tag, static_cast<int>(input.size()),
-                   input.data());
+    return Message::of("%s: input fault: %.*s", tag, static_cast<int>(input.size()),
+                       input.data());
   }
   const bool is_u = notice.far->role == Role::kU;
   const std::array<double, 2>& span = is_u ? loop.span : loop.y_span;
-  out.set(
+  return Message::of(
       "%s: input fault: out_of_range: %s reads %.4g, a span or more outside %.4g to "
       "%.4g; "
       "correct scale, offset or `%s`, or refuse it by `minimum` and `maximum`",
@@ -131,28 +133,28 @@ void describe_fault(const Notice& notice, const config::Loop& loop, hal::Message
 }
 
 // A key of the configuration that what comes does not bear out.
-void describe_doubt(const Notice& notice, const config::Loop& loop, hal::Message& out) {
+Message describe_doubt(const Notice& notice, const config::Loop& loop) {
   if (notice.kind == NoticeKind::kSpanDoubted) {
-    return out.set(
+    return Message::of(
         "%s: u ran from %.4g to %.4g, expected most of it in the span %.4g to %.4g, "
         "and 2 %% of that; correct `span`",
         loop.tag.c_str(), notice.u_range[0], notice.u_range[1], loop.span[0],
         loop.span[1]);
   }
   if (notice.kind == NoticeKind::kSignalsSwapped) {
-    return out.set(
+    return Message::of(
         "%s: y moves as a controller moves its output, and u does not: expected the "
         "controller output as u and the process output as y; exchange `u` and `y`",
         loop.tag.c_str());
   }
   if (notice.kind == NoticeKind::kTwoSenders) {
-    return out.set(
+    return Message::of(
         "%s: %s comes from the source addresses 0x%02X and 0x%02X: only the first is "
         "used; expected one sender, give its source_address",
         loop.tag.c_str(), name_of(notice.senders.role), notice.senders.used,
         notice.senders.other);
   }
-  out.set(
+  return Message::of(
       "%s: sample_period_s is %.4g, but %s comes every %.3g s: what lies between is "
       "held; expected at least that, correct sample_period_s",
       loop.tag.c_str(), loop.sample_period_s, name_of(notice.slow.role),
@@ -177,56 +179,46 @@ const char* what_was_done(wire::UdsAct act) {
   return "";
 }
 
-void describe_access(const Notice& notice, hal::Message& out) {
+Message describe_access(const Notice& notice) {
   const char* what = what_was_done(notice.act);
   if (notice.act == wire::UdsAct::kUnlocked || notice.act == wire::UdsAct::kRefusedKey) {
-    out.set("tester %02X %s", notice.tester, what);
-  } else if (notice.loop == 0) {
-    out.set("tester %02X %s, all loops", notice.tester, what);
-  } else {
-    out.set("tester %02X %s, loop %d", notice.tester, what, notice.loop);
+    return Message::of("tester %02X %s", notice.tester, what);
   }
+  if (notice.loop == 0) {
+    return Message::of("tester %02X %s, all loops", notice.tester, what);
+  }
+  return Message::of("tester %02X %s, loop %d", notice.tester, what, notice.loop);
 }
 
-void describe_loop(const Notice& notice, const config::Loop& loop, hal::Message& out) {
+Message describe_loop(const Notice& notice, const config::Loop& loop) {
   const char* tag = loop.tag.c_str();
   switch (notice.kind) {
     case NoticeKind::kMonitor:
-      describe_event(notice.event, tag, loop.sample_period_s, out);
-      break;
+      return describe_event(notice.event, tag, loop.sample_period_s);
     case NoticeKind::kInputFault:
-      describe_fault(notice, loop, out);
-      break;
+      return describe_fault(notice, loop);
     case NoticeKind::kInputRestored:
-      out.set("%s: input restored", tag);
-      break;
+      return Message::of("%s: input restored", tag);
     case NoticeKind::kFlagRaised:
-      out.set("%s: FLAG RAISED", tag);
-      break;
+      return Message::of("%s: FLAG RAISED", tag);
     case NoticeKind::kFlagKept:
-      describe_kept_flag(notice, tag, out);
-      break;
+      return describe_kept_flag(notice, tag);
     case NoticeKind::kBandChanged:
-      describe_band(notice, tag, out);
-      break;
+      return describe_band(notice, tag);
     case NoticeKind::kTrend:
-      describe_trend(notice.trend, tag, out);
-      break;
+      return describe_trend(notice.trend, tag);
     case NoticeKind::kSpanDoubted:
     case NoticeKind::kSignalsSwapped:
     case NoticeKind::kSlowSignal:
     case NoticeKind::kTwoSenders:
-      describe_doubt(notice, loop, out);
-      break;
+      return describe_doubt(notice, loop);
     case NoticeKind::kSuspended:
     case NoticeKind::kResumed:
-      out.set(
+      return Message::of(
           "%s: %s", tag,
           text_of_mode(loop, notice.kind == NoticeKind::kSuspended, notice.mode).c_str());
-      break;
     default:
-      out.set("%s: flag lowered", tag);
-      break;
+      return Message::of("%s: flag lowered", tag);
   }
 }
 
@@ -252,33 +244,24 @@ hal::Message text_of_mode(const config::Loop& loop, bool suspended, double mode)
         static_cast<std::size_t>(std::snprintf(&automatic[used], automatic.size() - used,
                                                "%s%.6g", before, loop.auto_values[k]));
   }
-  hal::Message out;
-  out.set("%s: mode reads %.6g, automatic is %s", suspended ? "suspended" : "resumed",
-          mode, automatic.data());
-  return out;
+  return Message::of("%s: mode reads %.6g, automatic is %s",
+                     suspended ? "suspended" : "resumed", mode, automatic.data());
 }
 
 hal::Message text_of(const Notice& notice, const config::Gateway& gateway) {
-  hal::Message out;
-  if (notice.kind == NoticeKind::kAccess) {
-    describe_access(notice, out);
-    return out;
-  }
+  if (notice.kind == NoticeKind::kAccess) return describe_access(notice);
   if (notice.kind == NoticeKind::kGap) {
-    out.set("gap: the clock of the log goes %s by %.6g s",
-            notice.gap_s < 0 ? "back" : "on", std::abs(notice.gap_s));
-    return out;
+    return Message::of("gap: the clock of the log goes %s by %.6g s",
+                       notice.gap_s < 0 ? "back" : "on", std::abs(notice.gap_s));
   }
   if (notice.kind >= NoticeKind::kBusUp) {
     const char* bus = gateway.buses[notice.index].name.c_str();
     const char* what = notice.kind == NoticeKind::kBusUp     ? "is up"
                        : notice.kind == NoticeKind::kBusDown ? "is down"
                                                              : "is off: too many errors";
-    out.set("bus %s %s", bus, what);
-    return out;
+    return Message::of("bus %s %s", bus, what);
   }
-  describe_loop(notice, gateway.loops[notice.index], out);
-  return out;
+  return describe_loop(notice, gateway.loops[notice.index]);
 }
 
 Priority priority_of(const Notice& notice) {

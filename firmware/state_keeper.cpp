@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "hal/message.hpp"
 #include "wire/big_endian.hpp"
 #include "wire/calendar.hpp"
 #include "wire/crc32.hpp"
@@ -53,54 +52,53 @@ void StateKeeper::restore(Daemon& daemon, const Now& now) {
 
 void StateKeeper::restore_windows(Daemon& daemon, const Now& now) {
   const char* path = file_.windows_path().c_str();
-  hal::Message text;
   std::vector<std::uint8_t> image;
   bool exists = false;
   if (!file_.read_windows(image, exists)) {
-    text.set("%s: cannot be read: %s; windows begin anew", path, std::strerror(errno));
-    log_.write(now.us, Priority::kError, text.c_str());
+    log_.print(now.us, Priority::kError, "%s: cannot be read: %s; windows begin anew",
+               path, std::strerror(errno));
     return;
   }
   if (!exists) return;
   const Daemon::Resumed found =
       daemon.restore_windows(image, now, calendar_goes_on(sysfs_root_));
   if (found.error != wire::StateError::kNone) {
-    text.set("%s: expected windows, found %s; they begin anew, kept as .bad", path,
-             wire::describe(found.error));
-    log_.write(now.us, Priority::kError, text.c_str());
+    log_.print(now.us, Priority::kError,
+               "%s: expected windows, found %s; they begin anew, kept as .bad", path,
+               wire::describe(found.error));
     file_.set_windows_aside();
     return;
   }
   if (found.loops == 0) {
-    text.set("%s: of another configuration or of unknown age; windows begin anew", path);
+    log_.print(now.us, Priority::kNotice,
+               "%s: of another configuration or of unknown age; windows begin anew",
+               path);
   } else {
-    text.set("windows of samples that are back: %d; the newest sample is %.1f s old",
-             found.loops, found.age_s);
+    log_.print(now.us, Priority::kNotice,
+               "windows of samples that are back: %d; the newest sample is %.1f s old",
+               found.loops, found.age_s);
   }
-  log_.write(now.us, Priority::kNotice, text.c_str());
 }
 
 void StateKeeper::restore_state(Daemon& daemon, const Now& now) {
   const std::int64_t now_us = now.us;
   const char* path = file_.path().c_str();
-  hal::Message text;
   std::vector<std::uint8_t> image;
   bool exists = false;
   if (!file_.read(image, exists)) {
-    text.set("%s: cannot be read: %s; started without it", path, std::strerror(errno));
-    log_.write(now_us, Priority::kError, text.c_str());
+    log_.print(now_us, Priority::kError, "%s: cannot be read: %s; started without it",
+               path, std::strerror(errno));
     return;
   }
   if (!exists) {
-    text.set("%s: no saved state; DTCs begin anew", path);
-    log_.write(now_us, Priority::kNotice, text.c_str());
+    log_.print(now_us, Priority::kNotice, "%s: no saved state; DTCs begin anew", path);
     return;
   }
   const wire::StateError error = daemon.restore(image, now);
   if (error != wire::StateError::kNone) {
-    text.set("%s: expected a saved state, found %s; started without it, kept as .bad",
-             path, wire::describe(error));
-    log_.write(now_us, Priority::kError, text.c_str());
+    log_.print(now_us, Priority::kError,
+               "%s: expected a saved state, found %s; started without it, kept as .bad",
+               path, wire::describe(error));
     file_.set_aside();
     return;
   }
@@ -156,10 +154,8 @@ std::size_t StateKeeper::save_windows(Daemon& daemon, const Now& now,
 }
 
 void StateKeeper::tell_failure(std::int64_t now_us, const char* consequence) {
-  hal::Message text;
-  text.set("%s: cannot be written: %s; %s", file_.path().c_str(),
-           std::strerror(file_.error()), consequence);
-  log_.write(now_us, Priority::kError, text.c_str());
+  log_.print(now_us, Priority::kError, "%s: cannot be written: %s; %s",
+             file_.path().c_str(), std::strerror(file_.error()), consequence);
 }
 
 void StateKeeper::take_failures(std::int64_t now_us, WriteBudget& budget) {

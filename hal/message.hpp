@@ -14,8 +14,21 @@ class Message {
   [[gnu::format(printf, 2, 3)]] void set(const char* format, ...) {
     std::va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(text_.data(), text_.size(), format, arguments);
+    print(format, arguments);
     va_end(arguments);
+  }
+  /// The same, as vprintf does.
+  [[gnu::format(printf, 2, 0)]] void print(const char* format, std::va_list arguments) {
+    std::vsnprintf(text_.data(), text_.size(), format, arguments);
+  }
+  /// A message at once.
+  [[gnu::format(printf, 1, 2)]] static Message of(const char* format, ...) {
+    Message out;
+    std::va_list arguments;
+    va_start(arguments, format);
+    out.print(format, arguments);
+    va_end(arguments);
+    return out;
   }
   void clear() { text_[0] = '\0'; }
   [[nodiscard]] const char* c_str() const { return text_.data(); }

@@ -23,7 +23,8 @@ TEST_F(Lines, CarryTheirPriority) {
   Log log(file);
   log.write(0, Priority::kError, "broken");
   log.write(1, Priority::kInfo, "fine");
-  EXPECT_EQ(text(), "<3>broken\n<6>fine\n");
+  log.print(2, Priority::kWarning, "%d of %s", 2, "them");
+  EXPECT_EQ(text(), "<3>broken\n<6>fine\n<4>2 of them\n");
 }
 
 TEST_F(Lines, AreLimitedInTheLongRunAndTheRestIsCounted) {
