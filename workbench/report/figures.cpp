@@ -77,6 +77,16 @@ void add_outputs(const Excerpt& part, Plot& plot, const Simulation& s) {
   part.add(plot, kValveLabel, Ink::kValve, s.y_valve);
 }
 
+Plot almost_square(const char* title, const char* x_label, const char* y_label) {
+  Plot plot;
+  plot.title = title;
+  plot.x_label = x_label;
+  plot.y_label = y_label;
+  plot.width = 520;
+  plot.height = 420;
+  return plot;
+}
+
 }  // namespace
 
 std::string signal_figures(const ReportData& data) {
@@ -120,20 +130,10 @@ std::string closer_figures(const ReportData& data) {
          figure(y, "");
 }
 
-Plot over_controller_output(const char* title, const char* y_label) {
-  Plot plot;
-  plot.title = title;
-  plot.x_label = "controller output u";
-  plot.y_label = y_label;
-  plot.width = 520;
-  plot.height = 420;
-  return plot;
-}
-
 std::string loop_figure(const ReportData& data) {
   const Simulation& s = data.simulation;
-  Plot plot =
-      over_controller_output("process output over controller output", "process output y");
+  Plot plot = almost_square("process output over controller output",
+                            "controller output u", "process output y");
   plot.lines.push_back({"measured y", Ink::kMeasured, s.u, s.y, Stroke::kFine, false});
   return figure(
       plot,
@@ -145,8 +145,8 @@ std::string path_figure(const ReportData& data) {
   const Simulation& s = data.simulation;
   const Identification& r = data.analysis.result();
   if (s.y_two_path.empty() && s.stem.empty() && s.x.empty()) return {};
-  Plot plot = over_controller_output("valve position over controller output",
-                                     "valve position x, units of u");
+  Plot plot = almost_square("valve position over controller output",
+                            "controller output u", "valve position x, units of u");
   const auto trace = [&](const char* label, Ink ink, const Values& x, Stroke stroke) {
     if (!x.empty()) plot.lines.push_back({label, ink, s.u, x, stroke, false});
   };
@@ -188,12 +188,8 @@ std::string step_figure(const ReportData& data) {
   if (two_path.t.size() < 2) return {};
   const double length = two_path.t.back();
   const TimeUnit unit = time_unit_for(length);
-  Plot plot;
-  plot.title = "step response of the process";
-  plot.x_label = unit.label;
-  plot.y_label = "y for a stem step of 1";
-  plot.width = 520;
-  plot.height = 420;
+  Plot plot =
+      almost_square("step response of the process", unit.label, "y for a stem step of 1");
   plot.include_zero = true;
   const auto add = [&](const char* label, Ink ink, const StepResponse& step,
                        Stroke stroke) {
