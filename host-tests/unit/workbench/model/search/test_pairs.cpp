@@ -202,7 +202,8 @@ TEST(Pairs, AStorageIsTriedBesideTheLagOfTheDrive) {
   double speed = 0;
   double position = 0;
   for (std::size_t k = 0; k < recording.size(); ++k) {
-    recording.u[k] = std::sin(0.05 * static_cast<double>(k)) > 0 ? 2 : -2;
+    const auto t = static_cast<double>(k);
+    recording.u[k] = 2 * std::sin(0.03 * t + 2e-5 * t * t) + std::sin(0.011 * t);
     recording.y[k] = position + noise(random);
     speed += (recording.u[k] - speed) / 12;
     position += 0.1 * speed;
