@@ -267,8 +267,7 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   if constexpr (kStemSearch) {
     if (evidence.by_hand) {
       result_.detectable_band =
-          shown_or_excluded(evidence, evidence.ladder.detectable_band) * movement_.swing *
-          u_range();
+          shown_or_excluded(evidence, false) * movement_.swing * u_range();
     }
   }
   finish(reason);

@@ -138,10 +138,12 @@ template <class Real>
   return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
 }
 
-/// The smaller of a band that would have shown one sample ahead, over the usual swing of
-/// u, and of one that is excluded; 0: neither is known.
+/// The smaller of the band that would have shown one sample ahead, or that is only
+/// `hoped` for (E12), and of the one that is excluded, over the usual swing of u; 0:
+/// neither is known.
 template <class Real>
-[[nodiscard]] Real shown_or_excluded(const Evidence<Real>& e, Real ahead) {
+[[nodiscard]] Real shown_or_excluded(const Evidence<Real>& e, bool hoped) {
+  const Real ahead = hoped ? Real(e.ladder.hoped_band) : e.ladder.detectable_band;
   const Real excluded = e.excluded_above;
   return ahead > Real(0) && excluded > Real(0) ? std::min(ahead, excluded)
                                                : std::max(ahead, excluded);

@@ -192,8 +192,7 @@ Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   }
   // Nor is a swing on a drift one that u comes back to.
   const bool steady = kStemSearch && !few && !e.drifts;
-  const Threshold hoped = exact(shown_or_excluded(
-      e, steady ? Real(e.ladder.hoped_band) : e.ladder.detectable_band));
+  const Threshold hoped = exact(shown_or_excluded(e, steady));
   if (!(hoped > 0) || hoped > kHidden) {
     return Reason::kBandWouldNotShow;
   }

@@ -134,12 +134,15 @@ TEST_F(Evidences, BandsFitsAndTimesAreThoseOfTheForm) {
 
 TEST_F(Evidences, TheSmallerOfTwoBandsIsToldOfWhichEitherMayBeUnknown) {
   Evidence<double> e;
-  EXPECT_EQ(shown_or_excluded(e, 0.0), 0);
-  EXPECT_EQ(shown_or_excluded(e, 0.3), 0.3);
+  EXPECT_EQ(shown_or_excluded(e, true), 0);
+  e.ladder.detectable_band = 0.3;
+  e.ladder.hoped_band = 0.1;
+  EXPECT_EQ(shown_or_excluded(e, false), 0.3);
   e.excluded_above = 0.2;
-  EXPECT_EQ(shown_or_excluded(e, 0.0), 0.2);
-  EXPECT_EQ(shown_or_excluded(e, 0.3), 0.2);
-  EXPECT_EQ(shown_or_excluded(e, 0.1), 0.1);
+  EXPECT_EQ(shown_or_excluded(e, false), 0.2);
+  EXPECT_EQ(shown_or_excluded(e, true), 0.1);
+  e.ladder.hoped_band = 0;
+  EXPECT_EQ(shown_or_excluded(e, true), 0.2);
 }
 
 }  // namespace
