@@ -32,15 +32,14 @@ void DirectionalLag<Real>::start(const ValveModel<Real>& linear,
   middle_ = {first, first, elementary::log(time_constant_of(linear.poles.fast)),
              window.u[0]};
   pattern_.start(middle_, linear.fit.error, kEvaluations);
-  const auto along = [this](const Point& way, double step, double smallest) {
-    pattern_.add_direction(way, Real(step), Real(smallest));
-  };
-  along({1, 0}, kFirstStep, kLastStep);
-  along({0, 1}, kFirstStep, kLastStep);
-  along({1, 1}, kFirstStep, kLastStep);
-  along({0, 0, 1}, 2 * kFirstStep, kLastStep);
-  along({0, 0, 0, 1}, kFirstStart * double(window.swing),
-        kLastStart * double(window.swing));
+  constexpr Real kStep = Real(kFirstStep);
+  constexpr Real kLast = Real(kLastStep);
+  pattern_.add_direction({1, 0}, kStep, kLast);
+  pattern_.add_direction({0, 1}, kStep, kLast);
+  pattern_.add_direction({1, 1}, kStep, kLast);
+  pattern_.add_direction({0, 0, 1}, Real(2) * kStep, kLast);
+  pattern_.add_direction({0, 0, 0, 1}, Real(kFirstStart) * window.swing,
+                         Real(kLastStart) * window.swing);
 }
 
 template <class Real>

@@ -57,9 +57,9 @@ void IntervalSearch<Real>::widen(const ValveFriction<Real>& friction) {
 // A share of the swing. Of a valve without a band it is the band that is asked for, which
 // is wider than the interval around one.
 template <class Real>
-double IntervalSearch<Real>::first_step() const {
-  constexpr double kBeside = 0.004;
-  constexpr double kFromNone = 0.03;
+Real IntervalSearch<Real>::first_step() const {
+  constexpr Real kBeside = Real(0.004);
+  constexpr Real kFromNone = Real(0.03);
   const ValveFriction<Real>& f = best_.friction;
   return f.stick_ascending() > Real(0) || f.stick_descending() > Real(0) ? kBeside
                                                                          : kFromNone;
@@ -110,7 +110,7 @@ bool IntervalSearch<Real>::step(ValveSearch<Real>& search, int budget) {
     // First steps out by doubling, then between the last inside and the first outside.
     trial_ = outside_ > Real(0) ? (reach_ + outside_) / Real(2)
              : reach_ > Real(0) ? Real(3) * reach_
-                                : swing_ * Real(first_step());
+                                : swing_ * first_step();
     pass.fit(trial(), false);
     asked_ = true;
   }

@@ -43,7 +43,7 @@ class IntervalSearch {
 
  private:
   void widen(const ValveFriction<Real>& friction);
-  [[nodiscard]] double first_step() const;
+  [[nodiscard]] Real first_step() const;
   [[nodiscard]] ValveModel<Real> trial() const;
   void take(const ValveModel<Real>& model);
 
