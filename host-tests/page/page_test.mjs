@@ -598,7 +598,7 @@ const tests = {
     check(state.left_out, 'the gap is left out');
     check((await served.api('signals')).left_out.length === 1);
     await page.locator('#split summary').click();
-    await page.locator('#split select').selectOption('0.7');
+    await page.locator('#split select').selectOption('70');
     await page.locator('#split input').fill('200');
     const fitted = told(page, now => now.split.estimation_share === 0.7);
     await page.getByRole('button', {name: 'Fit with it'}).click();
