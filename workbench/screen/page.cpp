@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "ident/verdict/judge.hpp"
 #include "wire/sha256.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/screen/embedded_page.hpp"
@@ -123,6 +124,7 @@ std::string page_data(const Screening& screening) {
   const Json data{{"complete", screening.complete},
                   {"left_out", screening.left_out},
                   {"unpaired", screening.unpaired},
+                  {"nats", {ident::kNoNats, ident::kAgreedNats, ident::kAloneNats}},
                   {"texts", texts.all()},
                   {"rows", rows}};
   std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);

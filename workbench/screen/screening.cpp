@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <numeric>
 #include <optional>
+#include <stop_token>
+#include <thread>
 
 #include "workbench/model/base/one_loop.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/recording/source.hpp"
+#include "workbench/recording/stopped.hpp"
 #include "workbench/screen/found_files.hpp"
 #include "workbench/screen/groups.hpp"
 #include "workbench/screen/journal.hpp"
@@ -33,7 +37,10 @@ class Screener {
         stop_(stop),
         watch_(std::move(watch)),
         journal_(options.journal),
-        work_({options.threads > 0 ? options.threads : Work::cores()}) {}
+        work_({options.threads > 0 ? options.threads : Work::cores()}),
+        read_(options.read) {
+    read_.stop = reading_.get_token();
+  }
 
   ScreeningPlan plan(const std::vector<std::string>& paths) {
     ScreeningPlan out;
@@ -106,7 +113,11 @@ class Screener {
     std::uint64_t done = 0;
     work_.for_each(files_.size(), [&](std::size_t i) {
       if (stop_) return;
-      files_[i] = look_into(found.files[i], options_.read);
+      try {
+        files_[i] = look_into(found.files[i], read_);
+      } catch (const Stopped&) {
+        return;
+      }
       const std::lock_guard lock(mutex);
       tell(Phase::kLooking, ++done, files_.size(), {});
     });
@@ -194,9 +205,9 @@ class Screener {
     for (const std::size_t beside : part.beside) {
       source.beside.push_back(files_[beside].path);
     }
-    static_cast<CsvOptions&>(source) = options_.read;
+    static_cast<CsvOptions&>(source) = read_;
     source.names = file.names;
-    source.names.time = options_.read.names.time;
+    source.names.time = read_.names.time;
     if (!part.beside.empty()) {
       source.names.u = task.u_tag;
       source.names.y = task.y_tag;
@@ -277,6 +288,8 @@ class Screener {
         identify_one(left[k]);
       } catch (const ScreeningStopped&) {
         return;
+      } catch (const Stopped&) {
+        return;
       } catch (const std::bad_alloc&) {
         results_[left[k]] = failed(tasks_[left[k]].name, {}, "out of memory");
       }
@@ -317,6 +330,8 @@ class Screener {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Journal journal_;
   Work work_;
+  std::stop_source reading_;
+  ReadOptions read_;  // ends where `reading_` is asked to
   std::vector<ExportFile> files_;
   std::vector<std::unique_ptr<SplitExport>> exports_;
   std::map<std::size_t, std::string> broken_;  // files that could not be split, and why
@@ -329,6 +344,17 @@ class Screener {
   std::vector<std::vector<ScreenedLoop>> broken_parts_;
   std::vector<ScreenedLoop> errors_;
   Screening out_;
+  // A signal may do no more than set `stop_`.
+  std::jthread ends_reading_{[this](const std::stop_token& over) {
+    constexpr std::chrono::milliseconds kAskedEvery{30};
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable_any asked;
+    while (!over.stop_requested() && !stop_) {
+      asked.wait_for(lock, over, kAskedEvery, [this] { return stop_.load(); });
+    }
+    reading_.request_stop();
+  }};
 };
 
 }  // namespace

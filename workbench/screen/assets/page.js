@@ -72,11 +72,11 @@ function picture(loop) {
   }
   return svg;
 }
+const [SOME, STRONG, ALONE] = data.nats;
 const NATS = "How much better a sticking stem tells the next sample than u alone, as the logarithm " +
-  "of the odds: below 10 nats it says nothing, from 46 on it needs nothing beside it.";
-// The bounds of ident/verdict/judge.hpp.
+  `of the odds: below ${SOME} nats it says nothing, from ${ALONE} on it needs nothing beside it.`;
 function weight(nats) {
-  return nats >= 46 ? "very strong" : nats >= 25 ? "strong" : nats >= 10 ? "some" : "none";
+  return nats >= ALONE ? "very strong" : nats >= STRONG ? "strong" : nats >= SOME ? "some" : "none";
 }
 function trendText(loop) {
   if (loop.rise === null) return [loop.trend.length ? "–" : "", ""];
