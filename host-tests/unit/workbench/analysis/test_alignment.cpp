@@ -63,8 +63,7 @@ TEST(Alignment, OfALawWithoutAnIntegralPartItsNeighbourIsNotTaken) {
   test::LoopRecord loop;
   for (std::size_t t = 0; t < 300; ++t) {
     loop.y.push_back(10 - 0.001 * static_cast<double>(t) + 0.1 * normal(random));
-    loop.u.push_back(
-        t < 2 ? 0 : 450 * (loop.y[t - 1] - 10) - 154 * (loop.y[t - 2] - 10));
+    loop.u.push_back(t < 2 ? 0 : 450 * (loop.y[t - 1] - 10) - 154 * (loop.y[t - 2] - 10));
   }
   EXPECT_EQ(samples_late(recorded(loop, 0)), 0);
 }
