@@ -264,11 +264,9 @@ void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   if constexpr (kNamesCause) {
     result_.cause = cause_of(result_.loop, verdict_of(reason));
   }
-  if constexpr (kStemSearch) {
-    if (evidence.by_hand) {
-      result_.detectable_band =
-          shown_or_excluded(evidence, false) * movement_.swing * u_range();
-    }
+  if (evidence.excluded_above > Real(0)) {
+    result_.detectable_band =
+        shown_or_excluded(evidence, false) * movement_.swing * u_range();
   }
   finish(reason);
   if (!is_fault(result_.verdict)) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "workbench/analysis/analysis.hpp"
+#include "workbench/recording/stopped.hpp"
 
 namespace workbench {
 namespace {
@@ -210,7 +211,7 @@ ScreenedLoop screen_loop(std::vector<Recording> recordings,
   const Analysis analysis(
       std::move(recordings),
       [&stop](int, int) {
-        if (stop && stop()) throw ScreeningStopped();
+        if (stop && stop()) throw Stopped();
       },
       Depth::kVerdict);
   out.samples = static_cast<double>(analysis.samples());

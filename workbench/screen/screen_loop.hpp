@@ -10,14 +10,11 @@
 
 namespace workbench {
 
-/// Thrown out of screen_loop() where `stop` said so.
-struct ScreeningStopped {};
-
 /// The verdict that `identify` gives on the same recordings, with what a ranking needs:
 /// share of the time oscillating, trend, rhythm, picture. At least one recording;
 /// `clocks` (one each) name whose time t is where no date is known. `stop` is asked every
-/// few milliseconds. The time is that of Analysis at Depth::kVerdict, one or two tenths
-/// of a second for each window of 3,000 samples.
+/// few milliseconds; Stopped is thrown where it says so. The time is that of Analysis at
+/// Depth::kVerdict, one or two tenths of a second for each window of 3,000 samples.
 [[nodiscard]] ScreenedLoop screen_loop(std::vector<Recording> recordings,
                                        const std::vector<std::string>& clocks,
                                        const std::function<bool()>& stop);

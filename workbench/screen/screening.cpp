@@ -286,8 +286,6 @@ class Screener {
       if (stop_ || (one_is_journaled_ && time_is_over())) return;
       try {
         identify_one(left[k]);
-      } catch (const ScreeningStopped&) {
-        return;
       } catch (const Stopped&) {
         return;
       } catch (const std::bad_alloc&) {

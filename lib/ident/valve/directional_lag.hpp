@@ -15,7 +15,7 @@ namespace ident {
 /// Two lags, rising and falling, around those of the linear model, then a pattern search
 /// over both, the second lag and where the first one stood; gain, dead time, offset and
 /// drift are solved for each trial. Stops after any piece of a pass. Fixed memory; at
-/// most kGrid² + kEvaluations passes.
+/// most kEvaluations passes.
 template <class Real>
 class DirectionalLag {
  public:

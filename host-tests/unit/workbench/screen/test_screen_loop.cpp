@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "workbench/analysis/analysis.hpp"
+#include "workbench/recording/stopped.hpp"
 #include "workbench/screen/screen_loop.hpp"
 #include "workbench/simulate/scenarios.hpp"
 
@@ -74,7 +75,7 @@ TEST(ScreenLoop, MonthsMakeATrend) {
 
 TEST(ScreenLoop, StopsWhenToldTo) {
   EXPECT_THROW((void)screen_loop({simulated("stiction", 3)}, {""}, [] { return true; }),
-               ScreeningStopped);
+               Stopped);
 }
 
 TEST(Rate, TheVerdictCountsFirstThenEvidence) {
