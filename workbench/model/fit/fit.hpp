@@ -169,7 +169,8 @@ class Fitter {
                                                        const Fit& base,
                                                        const Effect& effect) const;
   [[nodiscard]] std::vector<SeenStem> stems_behind(const Fit& fit) const;
-  [[nodiscard]] std::vector<SeenStem> stems_in_pieces(std::span<const double> y) const;
+  [[nodiscard]] std::vector<SeenStem> stems_in_pieces(std::span<const double> y,
+                                                      bool later_cycles) const;
   void find_start(FreeRun& run, std::vector<double>& p,
                   std::span<const double> plant) const;
   void find_judging_start(FreeRun& run, std::vector<double>& p) const;

@@ -47,7 +47,8 @@ void Fitter::settle_stems() const {
 }
 
 // The output less the loads of a fit, as the identification sees it. It looks at all
-// samples, but only proposes: the estimation blocks decide.
+// samples, but only proposes: the estimation blocks decide. Behind a load, which is one
+// of many that are tried, its first cycles have to do.
 std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
   std::vector<double> y(base_.y.begin(), base_.y.end());
   add_loads(fit, -1, y);
@@ -55,14 +56,15 @@ std::vector<SeenStem> Fitter::stems_behind(const Fit& fit) const {
     const std::lock_guard lock(stems_mutex_);
     if (const StemsOf* known = known_stems(fit, y)) return known->stems;
   }
-  std::vector<SeenStem> stems = stems_in_pieces(y);
+  std::vector<SeenStem> stems = stems_in_pieces(y, std::ranges::equal(y, base_.y));
   const std::lock_guard lock(stems_mutex_);
   if (stems_.size() < kMostStems) stems_.push_back({std::move(y), stems});
   return stems;
 }
 
 // One valve has to serve all pieces: what two of them show alike is proposed once.
-std::vector<SeenStem> Fitter::stems_in_pieces(std::span<const double> y) const {
+std::vector<SeenStem> Fitter::stems_in_pieces(std::span<const double> y,
+                                              bool later_cycles) const {
   constexpr double kAlike = 0.1;  // of the band
   constexpr std::size_t kMostPieces = 4;
   std::vector<const Piece*> longest;
@@ -76,9 +78,9 @@ std::vector<SeenStem> Fitter::stems_in_pieces(std::span<const double> y) const {
   std::vector<SeenStem> out;
   for (const Piece* piece : longest) {
     const std::size_t count = piece->last - piece->first;
-    for (SeenStem stem :
-         stems_seen(std::span(u_).subspan(piece->first, count),
-                    y.subspan(piece->first, count), base_.period_s, *work_)) {
+    for (SeenStem stem : stems_seen(std::span(u_).subspan(piece->first, count),
+                                    y.subspan(piece->first, count), base_.period_s,
+                                    later_cycles, *work_)) {
       if (piece->first > 0) stem.start = 0;  // that of the first piece is asked for
       const auto alike = [&stem](const SeenStem& other) {
         const auto near = [&](double SeenStem::*part) {

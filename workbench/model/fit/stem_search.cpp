@@ -9,14 +9,14 @@
 namespace workbench {
 
 std::vector<SeenStem> stems_seen(std::span<const double> u, std::span<const double> y,
-                                 double period_s, const Work& work) {
+                                 double period_s, bool later_cycles, const Work& work) {
   using Identifier = ident::Identifier<double, ident::kLargeWindow>;
   const std::size_t n = std::min(u.size(), Identifier::kCapacity);
   const auto identifier = std::make_unique<Identifier>();
   constexpr int kBudget = 200;  // some 10 ms of a desk
   ident::WindowOptions options;
   options.verdict_only = true;
-  options.later_cycles = false;
+  options.later_cycles = later_cycles;
   identifier->start(u.first(n), y.first(n), {}, 0, options);
   while (!identifier->step(kBudget)) work.check();
   const auto& found = identifier->result();

@@ -1,12 +1,28 @@
 #include "workbench/model/judge/unearned_form.hpp"
 
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "ident/signal/signal_shape.hpp"
+#include "workbench/model/base/noise.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/model/judge/merit.hpp"
 
 namespace workbench {
+namespace {
+
+// A form bends what u does: nothing linear that the plain one lacks may look like it.
+bool is_earned(const Fitter& fitter, const Fit& plain, const Fit& form) {
+  if (!lowers_error(fitter, plain, form)) return false;
+  const std::span<const double> u = fitter.situation(form).u;
+  if (ident::moves_rarely<double>(u)) return true;
+  const DifferenceTest ahead =
+      test_given_past(plain.residual, form.residual, u, fitter.blocks());
+  return ahead.p_value <= kAsLikely && !wants_more(ahead);
+}
+
+}  // namespace
 
 Fit without_unearned_forms(const Fitter& fitter, Fit fit) {
   const Work::WritingDown whatever_it_takes(fitter.work());
@@ -19,7 +35,7 @@ Fit without_unearned_forms(const Fitter& fitter, Fit fit) {
     std::vector<double> p = fit.p;
     p[i] = 0;
     Fit plain = fitter.refine(fitter.at(fit, std::move(p)));
-    if (!lowers_error(fitter, plain, fit)) fit = std::move(plain);
+    if (!is_earned(fitter, plain, fit)) fit = std::move(plain);
   }
   return fit;
 }

@@ -7,8 +7,9 @@ namespace workbench {
 
 /// `fit`, or the same without the optional form of one of its effects (a dead time that
 /// follows the flow), searched on from there, where that form does not lower the error as
-/// another effect has to (merit.hpp). A load keeps its form: when it comes and goes is
-/// looked for together. Cost: a search for each form.
+/// another effect has to (merit.hpp) or, unless u moves by hand, is not seen one sample
+/// ahead: (W29). A load keeps its form: when it comes and goes is looked for together.
+/// Cost: a search for each form.
 [[nodiscard]] Fit without_unearned_forms(const Fitter& fitter, Fit fit);
 
 }  // namespace workbench

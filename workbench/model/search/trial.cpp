@@ -5,6 +5,7 @@
 
 #include "ident/signal/signal_shape.hpp"
 #include "workbench/effects/common.hpp"
+#include "workbench/effects/effects.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
 #include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/merit.hpp"
@@ -70,11 +71,6 @@ double share_left(const Fitter& fitter, const Trial& trial, const Trial& of) {
 bool is_bent(const Description& effect) {
   return (effect.place >= Place::kRate && effect.place <= Place::kCharacteristic) ||
          effect.place == Place::kOverflow || effect.bends;
-}
-
-bool wants_more(const DifferenceTest& ahead) {
-  constexpr double kMost = 1.5;  // times what is simulated
-  return ahead.slope * (1 - 2 / ahead.z) > kMost;
 }
 
 void examine(const Fitter& fitter, const Fit& base, Trial& trial) {
@@ -176,6 +172,23 @@ std::string doubt_in(const Fitter& fitter, const Trial& trial,
   return {};
 }
 
+// Which way is the wrong one, the sign of the gain says.
+std::string doubt_in_sign(const Trial& trial, const FitIntervals& intervals) {
+  if (!std::ranges::count(members_of(trial), &effects::process_inverse_response())) {
+    return {};
+  }
+  const Fit& fit = *trial.fit;
+  for (std::size_t i = 0; i < fit.columns.size(); ++i) {
+    const Interval& gain = intervals.solved[i];
+    if (FreeRun::is_gain(fit.columns[i]) && gain.low <= 0 && gain.high >= 0) {
+      return "the interval of the gain holds 0, so that which way the process goes in "
+             "the "
+             "end, and which is the wrong one, is not told";
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 void check_intervals(const Fitter& fitter, Trial& trial) {
@@ -186,6 +199,7 @@ void check_intervals(const Fitter& fitter, Trial& trial) {
   trial.candidate.parameters = parameters_of(
       with_absent_limits(fitter, *trial.fit, intervals), intervals, trial.effect);
   if (trial.objection.empty()) trial.objection = doubt_in(fitter, trial, intervals);
+  if (trial.objection.empty()) trial.objection = doubt_in_sign(trial, intervals);
 }
 
 namespace {

@@ -62,10 +62,6 @@ extern const char* const kUntold;  ///< why, of values that may be none
 /// True for what no linear process makes of u.
 [[nodiscard]] bool is_bent(const Description& effect);
 
-/// True where the data want clearly more of a difference than is simulated: what is in
-/// them is in them as it is simulated, so that this only resembles it.
-[[nodiscard]] bool wants_more(const DifferenceTest& ahead);
-
 /// True for what stands between the valve and the output's record.
 [[nodiscard]] bool is_in_process(const Trial& trial);
 

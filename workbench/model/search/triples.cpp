@@ -14,6 +14,7 @@ namespace {
 constexpr double kMostLeft = 0.25;   // of the squared error, beside a pair
 constexpr std::size_t kWidened = 3;  // pairs that get a third
 constexpr std::size_t kPursued = 4;  // thirds that are searched to the end
+constexpr std::size_t kAnew = 6;     // beside which the stem of a pair is looked for anew
 constexpr std::uint64_t kShare = 3;  // of what may be simulated yet, for thirds
 constexpr double kLeastGain = 0.9;   // squared error with the third, of without
 
@@ -21,7 +22,8 @@ constexpr double kLeastGain = 0.9;   // squared error with the third, of without
 struct Try {
   const Trial* pair = nullptr;
   const Effect* third = nullptr;
-  std::optional<Fit> fit;
+  std::optional<Fit> fit = {};
+  std::optional<Fit> others = {};  // without the stem, where the third helps there
 };
 
 double error_of(const Try& one) {
@@ -48,17 +50,21 @@ const Effect* stem_of(const Trial& pair) {
   return nullptr;
 }
 
-// The third beside the pair and, since a stem that was found without it is another one,
-// the stem beside the other two.
-std::optional<Fit> with_third(const Fitter& fitter, const Trial& pair,
-                              const Fit* without_stem, const Effect& third) {
-  auto fit = fitter.extend(*pair.fit, third, Effort::kScreen);
-  if (without_stem == nullptr) return fit;
-  const auto others = fitter.extend(*without_stem, third, Effort::kScreen);
-  if (!others) return fit;
-  auto anew = fitter.extend(*others, *stem_of(pair), Effort::kScreen);
-  const bool better = anew && (!fit || anew->error < fit->error);
-  return better ? std::move(anew) : std::move(fit);
+// Since a stem that was found without the third is another one: the stem beside the other
+// two, where those are the closest of all that the third helps without it.
+void look_for_stems_anew(const Fitter& fitter, std::vector<Try>& tries) {
+  std::vector<Try*> closest;
+  for (Try& one : tries) {
+    if (one.others) closest.push_back(&one);
+  }
+  std::ranges::stable_sort(closest, {},
+                           [](const Try* one) { return one->others->error; });
+  closest.resize(std::min(kAnew, closest.size()));
+  fitter.work().for_each(closest.size(), [&](std::size_t i) {
+    Try& one = *closest[i];
+    auto anew = fitter.extend(*one.others, *stem_of(*one.pair), Effort::kScreen);
+    if (anew && (!one.fit || anew->error < one.fit->error)) one.fit = std::move(anew);
+  });
 }
 
 std::vector<Try> tries_of(const Fitter& fitter, const std::vector<Trial>& trials,
@@ -74,7 +80,7 @@ std::vector<Try> tries_of(const Fitter& fitter, const std::vector<Trial>& trials
           is_second_load(pairs[i], *trial.effect)) {
         continue;
       }
-      tries.push_back({&pairs[i], trial.effect, std::nullopt});
+      tries.push_back({.pair = &pairs[i], .third = trial.effect});
     }
   }
   const std::uint64_t keep = fitter.samples_left() - fitter.samples_left() / kShare;
@@ -84,10 +90,14 @@ std::vector<Try> tries_of(const Fitter& fitter, const std::vector<Trial>& trials
     const std::size_t count = std::min(kAtOnce, tries.size() - from);
     fitter.work().for_each(count, [&](std::size_t i) {
       Try& one = tries[from + i];
+      one.fit = fitter.extend(*one.pair->fit, *one.third, Effort::kScreen);
       const auto& rest = without_stem[static_cast<std::size_t>(one.pair - pairs.data())];
-      one.fit = with_third(fitter, *one.pair, rest ? &*rest : nullptr, *one.third);
+      if (!rest) return;
+      one.others = fitter.extend(*rest, *one.third, Effort::kScreen);
+      if (one.others && one.others->error > kLeastGain * rest->error) one.others.reset();
     });
   }
+  look_for_stems_anew(fitter, tries);
   std::erase_if(tries, [](const Try& one) { return !one.fit; });
   return tries;
 }

@@ -251,6 +251,7 @@ export default {
   'readings far off both neighbours': 'Werte weit ab von beiden Nachbarn',
   'record at the transmitter, with exception reporting switched off, or compare with a second sensor': 'am Messumformer aufzeichnen, ohne Meldung nach Ausnahme, oder mit einem zweiten Sensor vergleichen',
   'record with a second sensor: only one of them has the spike': 'mit einem zweiten Sensor aufzeichnen: Nur einer von beiden hat die Spitze',
+  'the interval of the gain holds 0, so that which way the process goes in the end, and which is the wrong one, is not told': 'das Intervall der Verstärkung enthält 0, sodass offen bleibt, wohin der Prozess am Ende geht und was die falsche Richtung ist',
   'seen one sample ahead, beside the past of y, it does not go the wrong way: a load that the controller answers looks the same': 'einen Wert voraus gesehen, neben der Vergangenheit von y, geht er nicht falsch herum: Eine Last, auf die der Regler antwortet, sieht ebenso aus',
   'u swings with a multiple of this period, and friction or a curve makes such overtones of a swing, too: they need steps of u to be told apart': 'u schwingt mit einem Vielfachen dieser Periode, und Reibung oder eine Kennlinie macht solche Obertöne einer Schwingung auch: Sie zu unterscheiden braucht Schritte von u',
   'after a move of u its output would not swing: a dead time beside two lags answers as smoothly': 'nach einer Bewegung von u schwänge sein Ausgang nicht: Eine Totzeit neben zwei Verzögerungen antwortet ebenso glatt',

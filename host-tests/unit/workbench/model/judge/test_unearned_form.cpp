@@ -1,10 +1,12 @@
 // Whether a form of an effect stays in a fit.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
+#include "workbench/model/judge/merit.hpp"
 #include "workbench/model/judge/unearned_form.hpp"
 
 namespace workbench {
@@ -64,6 +66,25 @@ TEST(UnearnedForm, AFlowThatFollowsUStays) {
   const Fit form = by_flow(fitter, plain, start);
   const Fit kept = without_unearned_forms(fitter, form);
   EXPECT_GT(kept.searched_of(delay)[kByFlow], 0.5);
+}
+
+// What is slow may lower the error of a free run; it is in the past of the residual, so
+// that it foretells nothing.
+TEST(UnearnedForm, WhatIsNotSeenOneSampleAheadIsNoForm) {
+  test::SetpointLoop loop;
+  loop.delay = 8;
+  loop.load = [](std::size_t k) { return 10 * std::sin(0.02 * static_cast<double>(k)); };
+  const Recording recording = test::simulated(loop);
+  const Fitter fitter(recording, Column::y);
+  const Effect& delay = effects::process_dead_time();
+  const Fit plain = fitter.extend(fitter.start({}), delay, Effort::kThorough).value();
+  Fit form = by_flow(fitter, plain, 1.3);
+  form.residual = plain.residual;
+  for (double& left : form.residual) left *= 0.5;
+  form.error = 0.25 * plain.error;
+  ASSERT_TRUE(lowers_error(fitter, plain, form));
+  const Fit kept = without_unearned_forms(fitter, form);
+  EXPECT_LT(kept.searched_of(delay)[kByFlow], 0.5);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What has shown beyond doubt was excited.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -59,6 +60,21 @@ TEST(Trial, WhatShowsInFewEventsIsInDoubt) {
   trial.excitation.events = 0;
   conclude(fitter, base, trial);
   EXPECT_EQ(trial.candidate.status, CandidateStatus::kNotExcited);
+}
+
+// Which way is the wrong one, where u has no part in y?
+TEST(Trial, AWrongWayNeedsTheSignOfTheGain) {
+  Recording recording = test::simulated({});
+  std::rotate(recording.y.begin(), recording.y.begin() + 517, recording.y.end());
+  const Fitter fitter(recording, Column::y);
+  Trial trial;
+  trial.effect = &effects::process_inverse_response();
+  trial.fit = fitter.extend(fitter.start({}), *trial.effect, Effort::kScreen);
+  ASSERT_TRUE(trial.fit);
+  trial.p_family = 1e-3;
+  check_intervals(fitter, trial);
+  EXPECT_NE(trial.objection.find("which is the wrong one"), std::string::npos)
+      << trial.objection;
 }
 
 // A valve opened by hand in small steps: each level comes once.
