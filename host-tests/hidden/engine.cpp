@@ -47,6 +47,7 @@ Named name_effects(const workbench::Recording& recording) {
       }
     }
     named.explained = ladder.explained;
+    named.left_to_controller = ladder.last.left_to_controller;
     named.rmse_validation = ladder.quality.rmse_validation;
   } catch (const std::exception& error) {
     named.error = error.what();

@@ -39,6 +39,7 @@ struct Named {
   std::vector<Judged> others;
   std::vector<FoundParameter> parameters;
   bool explained = false;
+  bool left_to_controller = false;  ///< little else moves u
   double rmse_validation = 0;
   std::string error;  ///< message of what it threw; empty for none
 

@@ -177,9 +177,15 @@ std::string clean_table(const std::vector<Outcome>& all) {
   std::string text = heading("No hidden effect, % of recordings");
   text += count_row(all);
   text += share_row("an effect accepted", all, anything, "2");
+  text += share_row(
+      "said to be explained", all, [](const Outcome& o) { return o.named.explained; },
+      "");
   return text + share_row(
-                    "said to be explained", all,
-                    [](const Outcome& o) { return o.named.explained; }, "");
+                    "said that little but the controller moves u", all,
+                    [](const Outcome& o) {
+                      return !o.named.explained && o.named.left_to_controller;
+                    },
+                    "");
 }
 
 std::string not_excited_table(const std::vector<Outcome>& all) {
