@@ -215,8 +215,8 @@ double load_by_chance(std::span<const double> residual, std::span<const double> 
   return std::min(1.0, places * student_tail(xy / std::sqrt(xx * left), degrees));
 }
 
-std::vector<double> load_of(const Effect& effect, const Situation& situation,
-                            std::span<const double> p, double c) {
+std::vector<double> load_of(const Effect& effect, const Situation& situation, Reals p,
+                            double c) {
   ProcessShape shape;
   shape.first_lag_s = situation.first_lag_s;
   shape.second_lag_s = situation.second_lag_s;

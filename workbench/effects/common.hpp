@@ -49,7 +49,7 @@ class ShownByMoves : public Effect {
  public:
   using Effect::Effect;
   [[nodiscard]] Excitation excitation(const Situation& situation,
-                                      std::span<const double> /*p*/) const override {
+                                      Reals /*p*/) const override {
     return moves_of_u(situation);
   }
 };
@@ -120,8 +120,7 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal);
 
 /// What `effect`, a load with one solved parameter `c`, adds to y in the model so far.
 [[nodiscard]] std::vector<double> load_of(const Effect& effect,
-                                          const Situation& situation,
-                                          std::span<const double> p, double c);
+                                          const Situation& situation, Reals p, double c);
 
 /// Of a Curve: curvature (equal percentage above 0), from, to.
 [[nodiscard]] std::vector<SearchedParameter> curve_parameters(const Situation& situation);

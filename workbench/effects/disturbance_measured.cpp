@@ -75,16 +75,15 @@ class Measured final : public Effect {
     }
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals) const override {
     const Load* load = find(s.loads);
     if (load == nullptr) return {0, "moves of the load"};
     const auto [low, high] = range_of(*load);
     return {count_moves(load->values, (high - low) / 8), "moves of the load",
             kLeastMoves};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double> c) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p,
+                                     Reals c) const override {
     if (s.integrating) {
       return filled(
           "{0} moves the output by {1} y per second for each of its units, behind a lag "
@@ -95,8 +94,7 @@ class Measured final : public Effect {
         "{0} moves the output by {1} y for each of its units, behind a lag of {2} s.",
         {column_, number(c[0], 3), number(p[0] + p[1], 3)});
   }
-  void load(std::span<const double> p, const LoadSetting& setting,
-            Columns columns) const override {
+  void load(Reals p, const LoadSetting& setting, Columns columns) const override {
     const Load* load = find(setting.loads);
     if (load == nullptr || load->values.size() != columns[0].size()) {
       std::fill(columns[0].begin(), columns[0].end(), 0.0);

@@ -63,19 +63,17 @@ class Ramp final : public Effect {
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     return {{0}, {0.25 * s.duration_s()}, {0.5 * s.duration_s()}};
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     return {static_cast<int>(20 * (s.duration_s() - p[0]) / s.duration_s()),
             "twentieths of the recording that drift"};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double> c) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p,
+                                     Reals c) const override {
     return filled(
         "From t = {0} on the output drifts by {1} y in all, and u does not cause it.",
         {s.when(p[0]), number(c[0] * (s.duration_s() - p[0]), 3)});
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     if (answers_lone_move(s, p[0])) {
       return "it begins behind the one move of u: a late answer to it looks the same";
     }
@@ -83,14 +81,12 @@ class Ramp final : public Effect {
                                   "less of it there looks the same"
                                 : "";
   }
-  [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
-                                  std::span<const double> c) const override {
+  [[nodiscard]] double noise_test(const Situation& s, Reals p, Reals c) const override {
     constexpr double kPlaces = 3;  // beginnings that it starts from
     return load_by_chance(s.residual, load_of(*this, s, p, c[0]), kPlaces);
   }
   // The drift of a load, which the process follows with its first lag.
-  void load(std::span<const double> p, const LoadSetting& setting,
-            Columns columns) const override {
+  void load(Reals p, const LoadSetting& setting, Columns columns) const override {
     const double h = setting.period_s;
     for (std::size_t k = 0; k < columns[0].size(); ++k) {
       columns[0][k] = std::max(0.0, setting.start_s + static_cast<double>(k) * h - p[0]);

@@ -48,29 +48,25 @@ class Sinusoid final : public Effect {
     }
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     // Beside a stem that sticks, too: what it leaves of a swing of u are overtones.
     if (is_overtone_of_u(s, p[0])) {
       return {0, "periods of a load that is no overtone of u", 5, false};
     }
     return {static_cast<int>(s.duration_s() / p[0]), "periods of the load"};
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double> c) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals c) const override {
     return filled(
         "The residual swings with a period of {0} s and an amplitude of {1} y, and u "
         "does not cause it.",
         {number(p[0], 4), number(std::hypot(c[0], c[1]), 3)});
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     return locked_to_cycle(s, p[0]) ? "it keeps step with the cycle of u, whose edges a "
                                       "sinusoidal load would not make"
                                     : "";
   }
-  [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
-                                  std::span<const double> c) const override {
+  [[nodiscard]] double noise_test(const Situation& s, Reals p, Reals c) const override {
     std::vector<double> load(s.samples());
     const double angle = 2 * std::numbers::pi * s.period_s / p[0];
     for (std::size_t k = 0; k < load.size(); ++k) {
@@ -79,8 +75,7 @@ class Sinusoid final : public Effect {
     }
     return swing_by_chance(s.residual, load, p[0] / s.period_s);
   }
-  void load(std::span<const double> p, const LoadSetting& setting,
-            Columns columns) const override {
+  void load(Reals p, const LoadSetting& setting, Columns columns) const override {
     const double angle = 2 * std::numbers::pi * setting.period_s / p[0];
     const std::complex<double> turn = std::polar(1.0, angle);
     std::complex<double> w(1, 0);

@@ -27,20 +27,20 @@ bool u_jumps_before(const Situation& s, double time_s) {
 
 enum : std::size_t { kTime, kThroughProcess, kPassing, kEnd };
 
-bool passes(std::span<const double> p) {
+bool passes(Reals p) {
   return p[kPassing] > 0.5;
 }
 
 // Whether it is there at the first sample and gone before the process has forgotten how
 // it began.
-bool is_of_beginning(const Situation& s, std::span<const double> p) {
+bool is_of_beginning(const Situation& s, Reals p) {
   constexpr double kLags = 3;
   return passes(p) && p[kTime] < kNear * s.duration_s() &&
          p[kEnd] < kLags * (s.first_lag_s + s.second_lag_s);
 }
 
 // Of its size, what the output has come to by the end of the load or of the recording.
-double share_reached(const Situation& s, std::span<const double> p) {
+double share_reached(const Situation& s, Reals p) {
   if (p[kThroughProcess] < 0.5 || !(s.first_lag_s > 0)) return 1;
   const double lasts = (passes(p) ? p[kEnd] : s.duration_s()) - p[kTime];
   return 1 - std::exp(-std::max(lasts, 0.0) / s.first_lag_s);
@@ -131,8 +131,7 @@ class Step final : public Effect {
     }
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     if (passes(p)) {
       const double lasts = p[kEnd] - p[kTime];
       const double shorter = std::min(lasts, s.duration_s() - lasts);
@@ -143,8 +142,8 @@ class Step final : public Effect {
     return {static_cast<int>(50 * shorter / s.duration_s()),
             "fiftieths of the recording on the shorter side of the change"};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double> c) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p,
+                                     Reals c) const override {
     if (passes(p)) {
       return filled(
           "From t = {0} until {1} the output is off by {2} y, and u does not cause it.",
@@ -157,8 +156,8 @@ class Step final : public Effect {
             : "At t = {0} the output shifts by {1} y for good, and u does not cause it.",
         {s.when(p[kTime]), number(c[0], 3)});
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double> c) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p,
+                                      Reals c) const override {
     if (!s.integrating && std::abs(c[0]) * share_reached(s, p) > s.y_span()) {
       return "it would have to be larger than all that the output does";
     }
@@ -179,8 +178,7 @@ class Step final : public Effect {
     return "u jumps where it comes and where it goes: the process may answer otherwise "
            "there";
   }
-  [[nodiscard]] double noise_test(const Situation& s, std::span<const double> p,
-                                  std::span<const double> c) const override {
+  [[nodiscard]] double noise_test(const Situation& s, Reals p, Reals c) const override {
     // Chance of the best place over that of one, four standard deviations out in what
     // up to sixty stretches tell: 4²·∫ν/(t(1 − t)) + 4, and of two instants
     // 4⁴/2·∫ν²/(t²(1 − t)), t from 0.02 to 0.98, ν for the gaps between them
@@ -191,8 +189,7 @@ class Step final : public Effect {
     return load_by_chance(s.residual, load_of(*this, s, p, c[0]), places);
   }
   // (W3) At the output at once, or at the input of the process, which answers as to u.
-  void load(std::span<const double> p, const LoadSetting& setting,
-            Columns columns) const override {
+  void load(Reals p, const LoadSetting& setting, Columns columns) const override {
     const std::span<double> column = columns[0];
     const bool at_once = p[kThroughProcess] < 0.5;
     std::vector<double> arriving(column.size());

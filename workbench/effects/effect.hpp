@@ -83,6 +83,9 @@ struct DerivedParameter {
 /// Values of the searched parameters, in the order of `searched`.
 using Values = std::vector<double>;
 
+/// Values of parameters that an effect reads: `p` the searched ones, `c` the solved ones.
+using Reals = std::span<const double>;
+
 /// The valve's signal on its way from u to v: the mean over each sampling interval, with
 /// the weight of the lag that follows.
 struct ValveSignal {
@@ -201,31 +204,26 @@ class Effect {
   }
   /// Events that the effect with these parameters acted in.
   [[nodiscard]] virtual Excitation excitation(const Situation& situation,
-                                              std::span<const double> p) const = 0;
+                                              Reals p) const = 0;
   /// One sentence: what in the data speaks for it. `p` searched, `c` solved.
-  [[nodiscard]] virtual std::string evidence(const Situation& situation,
-                                             std::span<const double> p,
-                                             std::span<const double> c) const = 0;
+  [[nodiscard]] virtual std::string evidence(const Situation& situation, Reals p,
+                                             Reals c) const = 0;
   /// Why these values cannot be this effect although they are within their bounds, as the
   /// end of a sentence that begins "but "; empty where nothing speaks against them.
-  [[nodiscard]] virtual std::string objection(const Situation&,
-                                              std::span<const double> /*p*/,
-                                              std::span<const double> /*c*/) const {
+  [[nodiscard]] virtual std::string objection(const Situation&, Reals /*p*/,
+                                              Reals /*c*/) const {
     return {};
   }
   /// The same where each of its derived parameters may be as low as `lows` say.
-  [[nodiscard]] virtual std::string doubt(const Situation&, std::span<const double> /*p*/,
-                                          std::span<const double> /*lows*/) const {
+  [[nodiscard]] virtual std::string doubt(const Situation&, Reals /*p*/,
+                                          Reals /*lows*/) const {
     return {};
   }
   /// Whether a bound at which one of these values rests is where the physics ends, too,
   /// as that of a tank that runs empty: a value beyond could mean nothing else.
-  [[nodiscard]] virtual bool ends_there(std::span<const double> /*p*/) const {
-    return false;
-  }
+  [[nodiscard]] virtual bool ends_there(Reals /*p*/) const { return false; }
   /// The curve that the searched parameters stand for; nothing for most effects.
-  [[nodiscard]] virtual std::optional<NamedCurve> named_curve(
-      std::span<const double> /*p*/) const {
+  [[nodiscard]] virtual std::optional<NamedCurve> named_curve(Reals /*p*/) const {
     return std::nullopt;
   }
   /// The form that it may take or not; none for most effects.
@@ -235,39 +233,37 @@ class Effect {
   [[nodiscard]] virtual std::string out_of_reach(const Situation&) const { return {}; }
   /// p-value of a test of the effect's own, for one that the data show without a
   /// simulation; nothing for most effects.
-  [[nodiscard]] virtual std::optional<double> own_test(
-      const Situation&, std::span<const double> /*p*/) const {
+  [[nodiscard]] virtual std::optional<double> own_test(const Situation&,
+                                                       Reals /*p*/) const {
     return std::nullopt;
   }
 
   /// p-value of a test that it has to pass beside those of all effects: of a load, that
   /// slow noise does not look like it. `c` solved; Situation::residual is that of the
   /// model with the effect.
-  [[nodiscard]] virtual double noise_test(const Situation&, std::span<const double> /*p*/,
-                                          std::span<const double> /*c*/) const {
+  [[nodiscard]] virtual double noise_test(const Situation&, Reals /*p*/,
+                                          Reals /*c*/) const {
     return 0;
   }
 
   // Simulation: an effect overrides the one hook of its place.
-  virtual void move(std::span<const double> /*p*/, ValveSignal& /*signal*/) const {}
-  virtual void form(std::span<const double> /*p*/, ProcessShape& /*shape*/) const {}
+  virtual void move(Reals /*p*/, ValveSignal& /*signal*/) const {}
+  virtual void form(Reals /*p*/, ProcessShape& /*shape*/) const {}
   /// Bends the process response `z` (units of u) in place.
-  virtual void bend(std::span<const double> /*p*/, std::span<double> /*z*/) const {}
+  virtual void bend(Reals /*p*/, std::span<double> /*z*/) const {}
   /// Fills one column for each solved parameter.
-  virtual void load(std::span<const double> /*p*/, const LoadSetting& /*setting*/,
+  virtual void load(Reals /*p*/, const LoadSetting& /*setting*/,
                     Columns /*columns*/) const {}
   /// Level above which the output is cut off; nothing for most effects.
-  [[nodiscard]] virtual std::optional<Ceiling> ceiling(
-      std::span<const double> /*p*/) const {
+  [[nodiscard]] virtual std::optional<Ceiling> ceiling(Reals /*p*/) const {
     return std::nullopt;
   }
   /// From the output to what is recorded, in place. When a sensor let go of its reading
   /// and which points a historian kept is read off the recorded output.
-  virtual void record(std::span<const double> /*p*/, const Situation&,
-                      std::span<double> /*y*/) const {}
+  virtual void record(Reals /*p*/, const Situation&, std::span<double> /*y*/) const {}
   /// The same for one of the signals that the output is a sum of, in place. False where
   /// that cannot be said: the record is rounded, say.
-  virtual bool record_part(std::span<const double> p, const Situation& situation,
+  virtual bool record_part(Reals p, const Situation& situation,
                            std::span<double> part) const {
     if (description().adds_up) record(p, situation, part);
     return description().adds_up;

@@ -37,12 +37,12 @@ double most_ratio(const Situation& s) {
 
 enum : std::size_t { kTime, kByFlow, kRatio, kFrom, kTo };
 
-bool by_flow(std::span<const double> p) {
+bool by_flow(Reals p) {
   return p[kByFlow] > 0.5;
 }
 
 // Flow at `u` over that halfway between the ends, straight between them.
-double flow_at(std::span<const double> p, double u) {
+double flow_at(Reals p, double u) {
   constexpr double kLeast = 0.02;
   const double share = p[kTo] > p[kFrom] ? (u - p[kFrom]) / (p[kTo] - p[kFrom]) : 0.5;
   return std::max(2 * std::lerp(1.0, p[kRatio], share) / (1 + p[kRatio]), kLeast);
@@ -52,7 +52,7 @@ double flow_at(std::span<const double> p, double u) {
 class Pipe {
  public:
   // `content` in samples at the flow halfway.
-  Pipe(std::span<const double> p, std::span<const double> v, double content)
+  Pipe(Reals p, std::span<const double> v, double content)
       : first_(v.front()), content_(content), passed_(v.size() + 1), carried_(passed_) {
     for (std::size_t k = 0; k < v.size(); ++k) {
       const double flow = flow_at(p, v[k]);
@@ -136,8 +136,7 @@ class DeadTime final : public ShownByMoves {
     }
     return out;
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     if (by_flow(p)) {
       return filled(
           "Moves of u reach the output {0} s late around u = {1} and {2} s late around "
@@ -156,12 +155,12 @@ class DeadTime final : public ShownByMoves {
     return said;
   }
   // Through a pipe whose flow changes, before the lags.
-  void move(std::span<const double> p, ValveSignal& signal) const override {
+  void move(Reals p, ValveSignal& signal) const override {
     if (!by_flow(p) || signal.v.empty()) return;
     Pipe pipe(p, signal.v, p[kTime] / signal.period_s);
     for (std::size_t k = 0; k < signal.v.size(); ++k) signal.v[k] = pipe(k);
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
+  void form(Reals p, ProcessShape& shape) const override {
     if (!by_flow(p)) shape.dead_time_s = p[kTime];
   }
 };

@@ -46,25 +46,22 @@ class DirectionalLag final : public Effect {
     return {{0.3, 0}, {0.6, 0}, {1.6, 0}, {3, 0}};
   }
   // It takes moves both ways.
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals) const override {
     constexpr double kTurn = 0.1;  // of the range of u
     return {reversals_of_u(s, kTurn * s.u_span()), "turns of u", kLeastMoves};
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return filled(p[0] > 1 ? "The output takes {0} times as long to follow u down as up."
                            : "The output takes {0} times as long to follow u up as down.",
                   {number(std::exp(std::abs(std::log(p[0]))), 3)});
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     constexpr double kSeen = 2;  // samples that the slower lag lasts, at least
     return s.first_lag_s * std::max(1.0, p[0]) < kSeen * s.period_s
                ? "the process is over within two samples either way"
                : "";
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
+  void form(Reals p, ProcessShape& shape) const override {
     shape.falling_over_rising = p[0];
     shape.start += p[1];
   }

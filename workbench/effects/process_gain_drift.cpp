@@ -39,30 +39,26 @@ class GainDrift final : public Effect {
   [[nodiscard]] std::vector<Values> starts(const Situation& s) const override {
     return {{0.5 * s.duration_s()}};
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double>) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals) const override {
     const std::size_t half = s.samples() / 2;
     const double size = s.u_span() / 8;
     return {2 * std::min(count_moves(s.u.first(half), size),
                          count_moves(s.u.subspan(half), size)),
             "moves of u, early and late", 2 * kLeastMoves};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double>,
-                                     std::span<const double> c) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals, Reals c) const override {
     return filled(
         "The same move of u has another effect late than early: the gain changes by {0} "
         "y/u over the recording.",
         {number(c[0] * s.duration_s(), 3)});
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double>,
-                                      std::span<const double> c) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals, Reals c) const override {
     const double pivot = c[0] != 0 ? -c[1] / c[0] : s.u_high + 2 * s.u_span();
     const bool near =
         pivot >= std::min(0.0, s.u_low - s.u_span()) && pivot <= s.u_high + s.u_span();
     return near ? "" : "the u at which such a drift leaves y alone is far off its range";
   }
-  void load(std::span<const double> p, const LoadSetting& setting,
-            Columns columns) const override {
+  void load(Reals p, const LoadSetting& setting, Columns columns) const override {
     for (std::size_t k = 0; k < setting.z.size(); ++k) {
       const double time =
           setting.start_s + static_cast<double>(k) * setting.period_s - p[0];

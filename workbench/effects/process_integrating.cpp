@@ -19,13 +19,10 @@ constexpr Description kDescription{
 class Integrating final : public ShownByMoves {
  public:
   Integrating() : ShownByMoves(kDescription) {}
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double>,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals, Reals) const override {
     return "The output keeps moving as long as u is off balance; it does not settle.";
   }
-  void form(std::span<const double>, ProcessShape& shape) const override {
-    shape.integrating = true;
-  }
+  void form(Reals, ProcessShape& shape) const override { shape.integrating = true; }
 };
 
 }  // namespace

@@ -52,8 +52,7 @@ class InverseResponse final : public ShownByMoves {
     if (out.empty()) out.push_back({longest, 0.3 * longest});
     return out;
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return filled(
         "After every move of u the output first goes the wrong way, as by a fast part of "
         "opposite sign with a lag of {0} s; it takes some {1} s to make up for it.",
@@ -61,8 +60,7 @@ class InverseResponse final : public ShownByMoves {
   }
   // What a load does to u in a closed loop looks like a response of the wrong sign;
   // beside the past of y it does not.
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     constexpr double kClear = 2.5;  // standard deviations
     const StepResponse seen =
         step_response_of(s.u, s.y, samples_within(s.period_s, p[0] + p[1]));
@@ -71,7 +69,7 @@ class InverseResponse final : public ShownByMoves {
                  "way: a load that the controller answers looks the same"
                : "";
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
+  void form(Reals p, ProcessShape& shape) const override {
     shape.opposite_s = p[0];
     shape.fast_lag_s = p[1];
   }

@@ -57,8 +57,7 @@ class NonlinearGain final : public ShownByMoves {
     }
     return out;
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     const std::string_view said =
         by_head(p)
             ? "The process answers {0} times as strongly at the {1} end of its range as "
@@ -72,8 +71,7 @@ class NonlinearGain final : public ShownByMoves {
                   {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
   }
   // Order shows in the transients alone.
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     constexpr double kSeen = 2;  // samples that the transients of a lag last, at least
     const bool is_static = p[3] < 0.5 && !s.integrating &&
                            s.first_lag_s + s.second_lag_s < kSeen * s.period_s;
@@ -83,19 +81,15 @@ class NonlinearGain final : public ShownByMoves {
                : "";
   }
   // A tank does not drain below its bottom.
-  [[nodiscard]] bool ends_there(std::span<const double> p) const override {
-    return by_head(p);
-  }
+  [[nodiscard]] bool ends_there(Reals p) const override { return by_head(p); }
   // 0: a curve behind linear dynamics. 1: storages with a curved outflow. 2: tanks that
   // drain by their own head. 3, 4: the same, of two storages only the last.
-  void form(std::span<const double> p, ProcessShape& shape) const override {
+  void form(Reals p, ProcessShape& shape) const override {
     if (p[3] > 0.5) shape.storage = curve(p);
     shape.last_only = p[3] > 2.5;
     shape.start += p[4];
   }
-  void bend(std::span<const double> p, std::span<double> z) const override {
-    curve(p).bend(z);
-  }
+  void bend(Reals p, std::span<double> z) const override { curve(p).bend(z); }
 
  private:
   // The range of the storages: what u comes to behind the lags.
@@ -106,10 +100,8 @@ class NonlinearGain final : public ShownByMoves {
     const auto [low, high] = std::minmax_element(level.begin(), level.end());
     return *low < *high ? std::pair(*low, *high) : std::pair(s.u_low, s.u_high);
   }
-  static bool by_head(std::span<const double> p) {
-    return (p[3] > 1.5 && p[3] < 2.5) || p[3] > 3.5;
-  }
-  static Curve curve(std::span<const double> p) { return {p[0], p[1], p[2], by_head(p)}; }
+  static bool by_head(Reals p) { return (p[3] > 1.5 && p[3] < 2.5) || p[3] > 3.5; }
+  static Curve curve(Reals p) { return {p[0], p[1], p[2], by_head(p)}; }
 };
 
 }  // namespace

@@ -50,16 +50,14 @@ class Oscillatory final : public Effect {
   }
   // Where u swings with one period, any process could answer as this one does, unless it
   // explains the overtones, too, and leaves next to nothing.
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     if (swings_with(s, p[0]) && leaves_much(s)) {
       return {0, "moves of u apart from its own cycle, which has this period",
               kLeastMoves, false};
     }
     return moves_of_u(s);
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     const double root = std::sqrt(std::max(1 - p[1] * p[1], 1e-9));
     const double left = std::exp(-2 * std::numbers::pi * p[1] / root);
     return filled(
@@ -69,8 +67,7 @@ class Oscillatory final : public Effect {
         {number(p[0] / root, 3), number(100 * left, 2)});
   }
   // A loop that rings under a load makes its process look as if it did.
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     constexpr double kClear = 1.6;  // standard deviations
     if (!swings(s, p)) {
       return "after a move of u its output would not swing: a dead time beside two lags "
@@ -88,7 +85,7 @@ class Oscillatory final : public Effect {
                  "swing back: a loop that swings under a load looks the same"
                : "";
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
+  void form(Reals p, ProcessShape& shape) const override {
     shape.ring_period_s = p[0];
     shape.ring_damping = p[1];
   }
@@ -108,7 +105,7 @@ class Oscillatory final : public Effect {
   }
   // (W30) What a short move of u calls forth comes again, or its reverse, once it has
   // gone.
-  [[nodiscard]] bool swings(const Situation& s, std::span<const double> p) const {
+  [[nodiscard]] bool swings(const Situation& s, Reals p) const {
     constexpr double kLeast = 0.043;  // of the first swing: a damping of 1/√2
     constexpr double kPerPeriod = 60;
     constexpr double kLongest = 8;  // periods: longer lags are integrators here

@@ -67,8 +67,7 @@ class Overflow final : public Effect {
     if (out.empty()) out.push_back({s.y_high, 0, s.u_high, 1});
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     // A switch that goes off at a level is a thermostat.
     if (takes_two_values(s) && !is_asked_for_more(s, p[0])) {
       return {0, "stays of the output at the level while u asks for more", kLeastMoves,
@@ -85,8 +84,7 @@ class Overflow final : public Effect {
     return {std::max(stays, spills), "separate stays of the output at the level",
             kLeastMoves};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     if (p[2] < s.u_high) {
       return filled(
           "The first of two storages is full where u stays above {0}: of what comes on "
@@ -98,7 +96,7 @@ class Overflow final : public Effect {
   // A peak leaves a quarter of its samples in the upper sixteenth of any narrow band
   // below its top; where the output is held, nearly all are there.
   [[nodiscard]] std::optional<double> own_test(const Situation& s,
-                                               std::span<const double> p) const override {
+                                               Reals p) const override {
     constexpr double kBand = 0.002;   // of the range of y
     constexpr double kDependent = 3;  // samples that count as one
     constexpr double kConvincing = 1e-3;
@@ -121,19 +119,18 @@ class Overflow final : public Effect {
     if (tail > kConvincing) return {};
     return tail;
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     const bool holds = p[2] >= s.u_high && is_setpoint(s, p[0]);
     return holds ? "the level is the setpoint, where a controller holds the output" : "";
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
+  void form(Reals p, ProcessShape& shape) const override {
     shape.brim = p[2];
     shape.spill_share = p[3];
   }
   // Storage 0: only the reading is cut off, the process goes on rising behind it. 1: the
   // last storage spills, so it falls as soon as the inflow does. 2: the first of two
   // does.
-  [[nodiscard]] std::optional<Ceiling> ceiling(std::span<const double> p) const override {
+  [[nodiscard]] std::optional<Ceiling> ceiling(Reals p) const override {
     return Ceiling{p[0], p[1] > 0.5, p[1] > 1.5};
   }
 

@@ -31,8 +31,7 @@ class SecondLag final : public LagEffect {
     out.front().high = situation.duration_s();
     return out;
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     constexpr double kLong = 0.5;  // of the recording
     const double faster = std::min(p[0], s.first_lag_s);
     return filled("The output starts to move gently, as behind a second lag of {0} s.",
@@ -44,9 +43,7 @@ class SecondLag final : public LagEffect {
                       "recording in which the output settles.")
                 : std::string());
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
-    shape.second_lag_s = p[0];
-  }
+  void form(Reals p, ProcessShape& shape) const override { shape.second_lag_s = p[0]; }
 };
 
 }  // namespace

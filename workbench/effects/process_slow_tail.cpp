@@ -46,29 +46,26 @@ class SlowTail final : public Effect {
     return out;
   }
   // Of a u that comes back before the tail has come, the tail is next to nothing.
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     constexpr double kMoved = 0.25;  // of the range of u
     std::vector<double> stays(s.samples());
     lag(s.u, s.period_s, p[1], s.u[0], stays);
     const int events = count_moves(stays, kMoved * s.u_span());
     return {events, "moves of u that last as long as the tail", kLeastMoves, events > 0};
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return filled(
         "Of the answer to a move of u {0} % comes later than the rest, with a lag of {1} "
         "s of its own.",
         {number(100 * p[0], 3), number(p[1], 3)});
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     constexpr double kSlower = 1.5;  // than the rest
     return p[1] < kSlower * s.first_lag_s
                ? "it is over as soon as the rest of the answer: that is a second lag"
                : "";
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
+  void form(Reals p, ProcessShape& shape) const override {
     shape.tail_share = p[0];
     shape.tail_lag_s = p[1];
   }

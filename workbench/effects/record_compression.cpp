@@ -185,12 +185,10 @@ class Compression final : public Effect {
     if (is_own_doing(s, held)) return {};
     return {{held.least_jump, 1 - held.share, 1}};
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     return {static_cast<int>(p[1] * static_cast<double>(s.samples())), "stored points"};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     const double apart = 1 / std::max(p[1], 1e-6);
     const bool held = p[2] > 0.5;
     const bool by_exception = !held && exception_band(s.y, stored_points(s.y)) > 0;
@@ -215,12 +213,10 @@ class Compression final : public Effect {
                {number(p[0], 2)});
   }
   // Lines and holds are in the data, whatever the model.
-  [[nodiscard]] std::optional<double> own_test(const Situation&,
-                                               std::span<const double>) const override {
+  [[nodiscard]] std::optional<double> own_test(const Situation&, Reals) const override {
     return 1e-12;
   }
-  void record(std::span<const double> p, const Situation& s,
-              std::span<double> y) const override {
+  void record(Reals p, const Situation& s, std::span<double> y) const override {
     if (p[2] > 0.5) {
       hold_like(s.y, same_reading(s.y_low, s.y_high), y);
     } else {

@@ -21,14 +21,11 @@ constexpr Description kDescription{
 class SensorLag final : public LagEffect {
  public:
   SensorLag() : LagEffect(kDescription, "lag") {}
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return filled("The recorded output trails the process by a lag of {0} s.",
                   {number(p[0], 3)});
   }
-  void form(std::span<const double> p, ProcessShape& shape) const override {
-    shape.sensor_lag_s = p[0];
-  }
+  void form(Reals p, ProcessShape& shape) const override { shape.sensor_lag_s = p[0]; }
 };
 
 }  // namespace

@@ -176,23 +176,21 @@ class Quantisation final : public Effect {
     }
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     int changes = 0;
     for (std::size_t k = 1; k < s.samples(); ++k) {
       changes += std::abs(s.y[k] - s.y[k - 1]) > 0.5 * p[0];
     }
     return {changes, "changes between levels"};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     return filled("All values of the output lie on {0} levels, {1} y apart.",
                   {std::to_string(lattice_of(s.y).levels), number(p[0], 3)});
   }
   // Values fall on a lattice or they do not. One too fine to matter beside the noise and
   // the moves of y is how the file was written.
   [[nodiscard]] std::optional<double> own_test(const Situation& s,
-                                               std::span<const double> p) const override {
+                                               Reals p) const override {
     constexpr double kCoarse = 0.25;  // of the standard deviation of y
     double mean = 0;
     double square = 0;
@@ -204,8 +202,7 @@ class Quantisation final : public Effect {
     return p[0] >= std::min(s.residual_std, kCoarse * deviation) ? 1e-12 : 1;
   }
   // The mean of what is recorded, when noise before the rounding decides near an edge.
-  void record(std::span<const double> p, const Situation&,
-              std::span<double> y) const override {
+  void record(Reals p, const Situation&, std::span<double> y) const override {
     const double noise = std::max(p[2] / p[0], 0.02);
     if (noise < kBlurred) {
       record_as(SharpStairs(noise), p, y);
@@ -220,8 +217,7 @@ class Quantisation final : public Effect {
   static constexpr double kLost = 1;
 
   template <class Stairs>
-  static void record_as(const Stairs& stairs, std::span<const double> p,
-                        std::span<double> y) {
+  static void record_as(const Stairs& stairs, Reals p, std::span<double> y) {
     for (double& value : y) {
       const double place = (value - p[1]) / p[0];
       const double nearest = std::floor(place + 0.5);

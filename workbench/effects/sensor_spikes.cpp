@@ -180,12 +180,10 @@ class Spikes final : public Effect {
     if (readings > kMostOf * static_cast<double>(s.samples())) return {};
     return {{readings, lowest}};
   }
-  [[nodiscard]] Excitation excitation(const Situation&,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation&, Reals p) const override {
     return {static_cast<int>(p[0]), "readings far off both neighbours", 1};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     std::string times;
     std::size_t count = 0;
     for_each_spike(s, lower(p), [&](std::size_t k, std::size_t, double) {
@@ -205,8 +203,7 @@ class Spikes final : public Effect {
            " They are left out of the fit.";
   }
   // A process that is fast enough passes on what u does in a single sample.
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     const double least = kFarOff / 2 * usual_difference(s.u);
     int all = 0;
     int led = 0;
@@ -217,7 +214,7 @@ class Spikes final : public Effect {
     return 3 * led > all ? "u leaves in the same way one sample before" : "";
   }
   [[nodiscard]] std::optional<double> own_test(const Situation& s,
-                                               std::span<const double> p) const override {
+                                               Reals p) const override {
     double power = 0;
     for_each_spike(s, lower(p), [&](std::size_t, std::size_t width, double height) {
       power += static_cast<double>(width) * height * height;
@@ -228,23 +225,20 @@ class Spikes final : public Effect {
     return 1e-12;  // a chance of 8 standard deviations, among any number of samples
   }
   // Left out: nothing is to be explained there.
-  void record(std::span<const double> p, const Situation& s,
-              std::span<double> y) const override {
+  void record(Reals p, const Situation& s, std::span<double> y) const override {
     for_each_reading(p, s, [&](std::size_t i) { y[i] = s.y[i]; });
   }
-  bool record_part(std::span<const double> p, const Situation& s,
-                   std::span<double> part) const override {
+  bool record_part(Reals p, const Situation& s, std::span<double> part) const override {
     for_each_reading(p, s, [&](std::size_t i) { part[i] = 0; });
     return true;
   }
 
  private:
   // The lowest of them counts, whatever rounding makes of its height.
-  static double lower(std::span<const double> p) { return p[1] * (1 - 1e-9); }
+  static double lower(Reals p) { return p[1] * (1 - 1e-9); }
 
   template <class Found>
-  static void for_each_reading(std::span<const double> p, const Situation& s,
-                               const Found& found) {
+  static void for_each_reading(Reals p, const Situation& s, const Found& found) {
     for_each_spike(s, lower(p), [&](std::size_t k, std::size_t width, double) {
       for (std::size_t i = k; i < k + width; ++i) found(i);
     });

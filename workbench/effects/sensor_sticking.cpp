@@ -63,16 +63,14 @@ class Sticking final : public Effect {
     if (are_filled_in(s, held.share)) return {};
     return {{held.least_jump, held.share, 0}};
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     if (is_frozen(p)) {
       return {static_cast<int>(stretches(s, p).size()), "stretches that stand still", 1};
     }
     const Held held = held_in(s.y, same_reading(s.y_low, s.y_high));
     return {static_cast<int>(held.jumps), "jumps of the reading"};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     if (is_frozen(p)) return evidence_of_frozen(s, p);
     const bool answered = who_holds(s.u, s.y) == Holder::kSensor;
     return filled(
@@ -85,13 +83,11 @@ class Sticking final : public Effect {
         {number(100 * p[1], 3), number(p[0], 3)});
   }
   // Readings that noise does not move do not repeat by chance.
-  [[nodiscard]] std::optional<double> own_test(const Situation&,
-                                               std::span<const double>) const override {
+  [[nodiscard]] std::optional<double> own_test(const Situation&, Reals) const override {
     return 1e-12;
   }
   // Where the reading is frozen it is left out: nothing is to be explained there.
-  void record(std::span<const double> p, const Situation& s,
-              std::span<double> y) const override {
+  void record(Reals p, const Situation& s, std::span<double> y) const override {
     if (!is_frozen(p)) {
       hold_like(s.y, same_reading(s.y_low, s.y_high), y);
       return;
@@ -102,8 +98,7 @@ class Sticking final : public Effect {
                 y.begin() + static_cast<std::ptrdiff_t>(range.first));
     }
   }
-  bool record_part(std::span<const double> p, const Situation& s,
-                   std::span<double> part) const override {
+  bool record_part(Reals p, const Situation& s, std::span<double> part) const override {
     if (!is_frozen(p)) return Effect::record_part(p, s, part);
     for (const SampleRange& range : stretches(s, p)) {
       std::fill(part.begin() + static_cast<std::ptrdiff_t>(range.first),
@@ -113,16 +108,15 @@ class Sticking final : public Effect {
   }
 
  private:
-  static bool is_frozen(std::span<const double> p) { return p[2] > 0; }
+  static bool is_frozen(Reals p) { return p[2] > 0; }
 
-  static std::vector<SampleRange> stretches(const Situation& s,
-                                            std::span<const double> p) {
+  static std::vector<SampleRange> stretches(const Situation& s, Reals p) {
     const auto least = static_cast<std::size_t>(
         std::min(std::ceil(p[2] / s.period_s), static_cast<double>(s.samples() + 1)));
     return standing_still(s.y, least, s.y_low, s.y_high);
   }
 
-  static std::string evidence_of_frozen(const Situation& s, std::span<const double> p) {
+  static std::string evidence_of_frozen(const Situation& s, Reals p) {
     const std::vector<SampleRange> found = stretches(s, p);
     if (found.empty()) return {};
     const SampleRange& longest = *std::max_element(

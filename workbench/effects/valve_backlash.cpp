@@ -45,18 +45,16 @@ class Backlash final : public Effect {
     }
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     return reversals_beyond(s, p[0], "reversals of u wider than the gap");
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return filled(
         "At every reversal {0} of the travel of u is lost, and no jump is needed behind "
         "it.",
         {number(p[0], 3)});
   }
-  void move(std::span<const double> p, ValveSignal& signal) const override {
+  void move(Reals p, ValveSignal& signal) const override {
     move_with_friction({p[0], 0, 0, 0, false, p[1]}, signal);
   }
 };

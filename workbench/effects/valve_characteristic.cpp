@@ -96,16 +96,13 @@ class Characteristic final : public ShownByMoves {
     add(-1, 1, {0, 0, 0, -1, -2});        // full before it is open
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     return takes_two_values(s) ? none_between() : ShownByMoves::excitation(s, p);
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return words(p);
   }
-  [[nodiscard]] std::string objection(const Situation&, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation&, Reals p, Reals) const override {
     constexpr double kEnd = 0.1;  // of the range of u
     if (is_parted(p)) {
       const TwoPieces curve = pieces(p);
@@ -121,8 +118,7 @@ class Characteristic final : public ShownByMoves {
   [[nodiscard]] OptionalForm optional_form() const override {
     return {.constant = "two_pieces", .parameters = kOfPieces};
   }
-  [[nodiscard]] std::optional<NamedCurve> named_curve(
-      std::span<const double> p) const override {
+  [[nodiscard]] std::optional<NamedCurve> named_curve(Reals p) const override {
     constexpr std::size_t kShown = 21;
     if (p.size() < kPieces) return std::nullopt;
     Values values(p.begin(), p.begin() + kPieces);
@@ -140,7 +136,7 @@ class Characteristic final : public ShownByMoves {
     }
     return out;
   }
-  void move(std::span<const double> p, ValveSignal& signal) const override {
+  void move(Reals p, ValveSignal& signal) const override {
     if (is_parted(p)) {
       pieces(p).bend(signal.v);
     } else if (p[3] > 0.5) {
@@ -175,10 +171,8 @@ class Characteristic final : public ShownByMoves {
   static constexpr std::array<std::string_view, 2> kOfPieces = {"parted_at",
                                                                 "dead_width"};
 
-  static bool is_parted(std::span<const double> p) {
-    return p.size() > kPieces && p[kPieces] > 0.5;
-  }
-  static TwoPieces pieces(std::span<const double> p) {
+  static bool is_parted(Reals p) { return p.size() > kPieces && p[kPieces] > 0.5; }
+  static TwoPieces pieces(Reals p) {
     return {p[1], p[2], p[kPieces + 1], p[kPieces + 2], std::exp(p[0])};
   }
 
@@ -186,7 +180,7 @@ class Characteristic final : public ShownByMoves {
   // made of straight pieces: `curvature` from end to end, and a bend at each sixth.
   class ShapedCurve {
    public:
-    explicit ShapedCurve(std::span<const double> p) : from_(p[1]), span_(p[2] - p[1]) {
+    explicit ShapedCurve(Reals p) : from_(p[1]), span_(p[2] - p[1]) {
       constexpr double kPieces = 6;
       double sum = 0;
       for (std::size_t i = 0; i < kPoints; ++i) {
@@ -227,7 +221,7 @@ class Characteristic final : public ShownByMoves {
     std::array<double, kPoints> way_{};
   };
 
-  static std::string words(std::span<const double> p) {
+  static std::string words(Reals p) {
     if (is_parted(p)) return words_of_pieces(p);
     if (p[3] > 0.5) {
       const ShapedCurve curve(p);
@@ -245,7 +239,7 @@ class Characteristic final : public ShownByMoves {
                   {number(std::exp(std::abs(p[0])), 3), p[0] > 0 ? "upper" : "lower"});
   }
 
-  static std::string words_of_pieces(std::span<const double> p) {
+  static std::string words_of_pieces(Reals p) {
     constexpr double kDead = 0.01;  // of the range of u
     constexpr double kOther = 0.1;  // of a slope
     const TwoPieces curve = pieces(p);

@@ -22,14 +22,13 @@ constexpr Description kDescription{
 class PositionerLag final : public LagEffect {
  public:
   PositionerLag() : LagEffect(kDescription, "lag") {}
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return filled(
         "The output follows u through one more lag of {0} s before the valve's "
         "nonlinearities.",
         {number(p[0], 3)});
   }
-  void move(std::span<const double> p, ValveSignal& signal) const override {
+  void move(Reals p, ValveSignal& signal) const override {
     signal.settling_s = p[0];
     lag_means(signal.weight(), p[0], signal.v);
   }

@@ -59,8 +59,7 @@ class RateLimit final : public Effect {
     }
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     const double reach = s.u_span() / 50;
     double x = s.u[0];
     int events = 0;
@@ -73,8 +72,7 @@ class RateLimit final : public Effect {
     }
     return {events, "moves of u that leave the stem behind", kLeastMoves};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     const double fastest = fastest_move(s);
     const bool opening = p[0] < 0.95 * fastest;
     const bool closing = p[1] < 0.95 * fastest;
@@ -95,7 +93,7 @@ class RateLimit final : public Effect {
                          "u/s closing, and opens freely.",
                          {down});
   }
-  void move(std::span<const double> p, ValveSignal& signal) const override {
+  void move(Reals p, ValveSignal& signal) const override {
     const double up = p[0] * signal.period_s;
     const double down = p[1] * signal.period_s;
     const IntervalWeight weight = signal.weight();

@@ -52,15 +52,13 @@ class Saturation final : public Effect {
     }
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     const double margin = s.u_span() / 50;
     return {count_stays(s.u, p[1] + margin, true, memory_of(s)) +
                 count_stays(s.u, p[0] - margin, false, memory_of(s)),
             "separate stays of u beyond a limit", kLeastMoves};
   }
-  [[nodiscard]] std::string evidence(const Situation& s, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
     const double margin = s.u_span() / 100;
     const bool above = p[1] < s.u_high - margin;
     const bool below = p[0] > s.u_low + margin;
@@ -73,8 +71,7 @@ class Saturation final : public Effect {
     return above ? filled("The output stops answering above u = {0}.", {high})
                  : filled("The output stops answering below u = {0}.", {low});
   }
-  [[nodiscard]] std::string objection(const Situation& s, std::span<const double> p,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {
     return p[0] + s.u_span() / 50 < p[1] ? "" : "its limits leave the valve no travel";
   }
   [[nodiscard]] std::string out_of_reach(const Situation& s) const override {
@@ -87,7 +84,7 @@ class Saturation final : public Effect {
         {number(limits[0].level, 4), std::to_string(limits[0].stays),
          number(100 * limits[0].share, 2) + " %"});
   }
-  void move(std::span<const double> p, ValveSignal& signal) const override {
+  void move(Reals p, ValveSignal& signal) const override {
     const double high = std::max(p[0], p[1]);
     for (double& v : signal.v) v = std::clamp(v, p[0], high);
   }

@@ -83,13 +83,11 @@ class Stiction final : public Effect {
     for (const SeenStem& stem : s.stems) add_seen(stem, quick, out);
     return out;
   }
-  [[nodiscard]] Excitation excitation(const Situation& s,
-                                      std::span<const double> p) const override {
+  [[nodiscard]] Excitation excitation(const Situation& s, Reals p) const override {
     return reversals_beyond(s, p[0] + std::max(p[1], p[2]),
                             "reversals of u wider than the stick band");
   }
-  [[nodiscard]] std::string evidence(const Situation&, std::span<const double> p,
-                                     std::span<const double>) const override {
+  [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     return filled(
         "After a reversal u travels {0} up or {1} down before the output answers, then "
         "the stem jumps {2} up or {3} down.",
@@ -97,8 +95,8 @@ class Stiction final : public Effect {
          number(p[2], 3)});
   }
   // A stem that is never held, but takes its time, is a lag.
-  [[nodiscard]] std::string doubt(const Situation& s, std::span<const double> p,
-                                  std::span<const double> lows) const override {
+  [[nodiscard]] std::string doubt(const Situation& s, Reals p,
+                                  Reals lows) const override {
     constexpr double kHeld = 0.01;  // of the span of u
     constexpr double kSlow = 2;     // samples
     const double least = *std::max_element(lows.begin(), lows.end());
@@ -108,7 +106,7 @@ class Stiction final : public Effect {
         "is a lag then",
         {number(std::max(least, 0.0), 2), number(p[3], 3)});
   }
-  void move(std::span<const double> p, ValveSignal& signal) const override {
+  void move(Reals p, ValveSignal& signal) const override {
     move_with_friction({p[0], p[1], p[2], p[3], p[4] > 0.5, p[5]}, signal);
   }
 
