@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -20,6 +19,7 @@
 #include "firmware/replay.hpp"
 #include "firmware/replay_report.hpp"
 #include "wire/history_csv.hpp"
+#include "wire/text.hpp"
 
 namespace firmware {
 namespace {
@@ -81,10 +81,8 @@ int complain(const std::string& message, ExitCode code) {
 }
 
 bool parse_seconds(std::string_view text, double& seconds) {
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), seconds);
-  return error == std::errc() && end == text.data() + text.size() && seconds >= 1 &&
-         seconds <= 86400;
+  seconds = wire::number_of<double>(text).value_or(0);
+  return seconds >= 1 && seconds <= 86400;
 }
 
 std::string check_learning(const Options& options) {
@@ -205,8 +203,8 @@ int print_history(const Options& options) {
     return complain(options.config + ": expected [history], found none; add it",
                     kBadInput);
   }
-  const auto loop = std::find_if(
-      gateway.loops.begin(), gateway.loops.end(), [&](const config::Loop& candidate) {
+  const auto loop =
+      std::ranges::find_if(gateway.loops, [&](const config::Loop& candidate) {
         return std::to_string(candidate.id) == options.history ||
                candidate.tag == options.history;
       });

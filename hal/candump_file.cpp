@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "wire/candump.hpp"
+#include "wire/text.hpp"
 
 namespace hal {
 namespace {
@@ -98,12 +99,9 @@ bool CandumpFile::next(ReceivedFrame& out) {
 
 std::vector<std::string> CandumpFile::interfaces() const {
   std::vector<std::string> names;
-  for (std::size_t at = 0; at < text_.size();) {
-    const std::size_t end = std::min(text_.find('\n', at), text_.size());
+  for (std::string_view rest = text_; !rest.empty();) {
     wire::CandumpLine line;
-    const bool read =
-        wire::parse_candump(std::string_view(text_).substr(at, end - at), line).ok();
-    at = end + 1;
+    const bool read = wire::parse_candump(wire::take_until(rest, '\n'), line).ok();
     const bool known =
         std::find(names.begin(), names.end(), line.interface) != names.end();
     if (read && !known) names.emplace_back(line.interface);

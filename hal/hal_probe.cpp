@@ -1,7 +1,6 @@
 // Pokes the hardware from a shell, one capability at a time.
 #include <poll.h>
 
-#include <charconv>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "hal/socketcan.hpp"
 #include "hal/sysfs_adc.hpp"
 #include "wire/candump.hpp"
+#include "wire/text.hpp"
 
 namespace {
 
@@ -35,9 +35,9 @@ int complain(const char* error) {
 
 template <class T>
 bool parse(std::string_view text, T& value, int base = 10) {
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value, base);
-  return error == std::errc() && end == text.data() + text.size();
+  const std::optional<T> number = wire::number_of<T>(text, base);
+  value = number.value_or(value);
+  return number.has_value();
 }
 
 int print_frames(hal::CanBus& bus, const char* name, int seconds) {

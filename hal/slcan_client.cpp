@@ -7,20 +7,17 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 
 #include "hal/slcan.hpp"
+#include "wire/text.hpp"
 
 namespace hal {
 
 std::optional<std::uint16_t> slcan_port(std::string_view name) {
   constexpr std::string_view kKind = "slcan:";
   if (!name.starts_with(kKind)) return std::nullopt;
-  std::uint16_t port = 0;
-  const char* const end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + kKind.size(), end, port);
-  return error == std::errc() && stop == end ? port : 0;
+  return wire::number_of<std::uint16_t>(name.substr(kKind.size())).value_or(0);
 }
 
 bool SlcanClient::fail(const char* what) {

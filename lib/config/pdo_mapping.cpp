@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cstdio>
 #include <optional>
 #include <string>
+
+#include "wire/text.hpp"
 
 namespace config {
 namespace {
@@ -32,11 +33,7 @@ std::optional<std::uint32_t> number(std::string_view text, int base = 10) {
     text.remove_prefix(2);
     base = 16;
   }
-  std::uint32_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value, base);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
+  return wire::number_of<std::uint32_t>(text, base);
 }
 
 // The number under `key` in `section`; both without case.
@@ -44,9 +41,7 @@ std::optional<std::uint32_t> entry(std::string_view eds, std::string_view sectio
                                    std::string_view key) {
   bool inside = false;
   while (!eds.empty()) {
-    const std::size_t end = std::min(eds.find('\n'), eds.size());
-    const std::string_view line = trimmed(eds.substr(0, end));
-    eds.remove_prefix(std::min(end + 1, eds.size()));
+    const std::string_view line = trimmed(wire::take_until(eds, '\n'));
     if (line.starts_with('[')) {
       inside = line.ends_with(']') && same(line.substr(1, line.size() - 2), section);
       continue;
@@ -112,7 +107,7 @@ bool read_data_type(std::string_view eds, const ObjectName& object,
                                                     0x12, 0x13, 0x14, 0x15};
   constexpr std::uint32_t kReal32 = 8;
   constexpr std::uint32_t kReal64 = 0x11;
-  signal.is_signed = std::find(kSigned.begin(), kSigned.end(), *type) != kSigned.end();
+  signal.is_signed = std::ranges::find(kSigned, *type) != kSigned.end();
   signal.type = *type == kReal32   ? wire::ValueType::kFloat32
                 : *type == kReal64 ? wire::ValueType::kFloat64
                                    : wire::ValueType::kInteger;

@@ -293,11 +293,8 @@ CandumpStatus parse_candump(std::string_view line, CandumpLine& out) {
 bool candump_times_are_deltas(std::string_view text) {
   std::int64_t before_ns = 0;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
     CandumpLine line;
-    const bool read = parse_candump(text.substr(0, end), line).ok();
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!read || !line.relative) continue;
+    if (!parse_candump(take_until(text, '\n'), line).ok() || !line.relative) continue;
     if (line.time_ns < before_ns) return true;
     before_ns = line.time_ns;
   }

@@ -1,9 +1,12 @@
-// Character classes and slices for the line readers, without the throwing paths of
-// std::string_view::substr.
+// Character classes, slices and numbers for the line readers, without the throwing paths
+// of std::string_view::substr.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string_view>
+#include <system_error>
 
 namespace wire {
 
@@ -30,6 +33,23 @@ constexpr std::string_view slice(std::string_view text, std::size_t start,
   if (start >= text.size()) return {};
   const std::size_t left = text.size() - start;
   return {text.data() + start, length < left ? length : left};
+}
+
+/// What of `rest` stands before the first `mark`, or all of it; `rest` goes on behind it.
+constexpr std::string_view take_until(std::string_view& rest, char mark) {
+  const std::string_view taken = slice(rest, 0, rest.find(mark));
+  rest = slice(rest, taken.size() + 1, rest.size());
+  return taken;
+}
+
+/// The number that the whole of `text` is, as std::from_chars takes it; nothing where it
+/// is none, or beyond a Number. `base`: 16, say; of whole numbers.
+template <class Number, class... Base>
+[[nodiscard]] std::optional<Number> number_of(std::string_view text, Base... base) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value, base...);
+  return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace wire

@@ -43,9 +43,7 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
   std::string out;
   std::size_t column = indent;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view word = wire::take_until(text, ' ');
     const std::size_t length = characters(word);
     if (column > indent && column + 1 + length > width) {
       out += '\n' + std::string(indent, ' ');

@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <stdexcept>
 
+#include "wire/text.hpp"
 #include "workbench/analysis/signal_notes.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/cli/console.hpp"
@@ -32,13 +32,11 @@ namespace {
 // "30" or "30s".
 double seconds_of(std::string text) {
   if (text.ends_with('s')) text.pop_back();
-  double seconds = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, seconds);
-  if (error != std::errc{} || rest != end || !(seconds > 0) || !(seconds < 1e6)) {
+  const std::optional<double> seconds = wire::number_of<double>(text);
+  if (!(seconds > 0.0 && seconds < 1e6)) {
     throw CLI::ValidationError("--within", "expected seconds above 0, as in 30");
   }
-  return seconds;
+  return *seconds;
 }
 
 }  // namespace
@@ -105,17 +103,14 @@ void add_with(CLI::App& command, ModelOptions& options) {
 
 std::vector<std::string> effects_of(const ModelOptions& options) {
   std::vector<std::string> codes;
-  std::string rest = options.with;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(','), rest.size());
-    const std::string code = rest.substr(0, end);
-    rest.erase(0, std::min(end + 1, rest.size()));
+  for (std::string_view rest = options.with; !rest.empty();) {
+    const std::string code(wire::take_until(rest, ','));
     if (code.empty()) continue;
     if (standard_catalogue().find(code) == nullptr) {
       throw UsageError("no effect '" + code +
                        "'; known effects: " + standard_catalogue().codes());
     }
-    if (std::find(codes.begin(), codes.end(), code) != codes.end()) {
+    if (std::ranges::find(codes, code) != codes.end()) {
       throw UsageError("--with names " + code + " twice");
     }
     codes.push_back(code);
@@ -207,9 +202,8 @@ ReadRecordings read_for(ModelOptions options, Column output,
     if (!code.starts_with(effects::kMeasuredLoad)) continue;
     const std::string column = code.substr(effects::kMeasuredLoad.size());
     in_model.push_back(column);
-    const bool asked = std::any_of(loads.begin(), loads.end(), [&](const auto& load) {
-      return load == column || load == "all";
-    });
+    const bool asked = std::ranges::any_of(
+        loads, [&](const auto& load) { return load == column || load == "all"; });
     if (asked) continue;
     loads.push_back(column);
     needed += (needed.empty() ? "" : ", ") + code;

@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 
 #include "wire/diagnostics.hpp"
+#include "wire/text.hpp"
 #include "workbench/cli/can_port.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
@@ -36,15 +36,12 @@ at the moment of the request; t starts at 0.)";
 std::uint32_t id_of(const char* option, const std::string& text, bool extended) {
   std::string_view digits = text;
   if (digits.starts_with("0x") || digits.starts_with("0X")) digits.remove_prefix(2);
-  std::uint32_t id = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, id, 16);
-  const std::uint32_t most = extended ? wire::kMaxExtendedId : wire::kMaxStandardId;
-  if (error != std::errc() || stop != end || id > most) {
+  const auto id = wire::number_of<std::uint32_t>(digits, 16);
+  if (!id || *id > (extended ? wire::kMaxExtendedId : wire::kMaxStandardId)) {
     throw UsageError(std::string(option) + ": expected a CAN identifier of " +
                      (extended ? "29" : "11") + " bits in hex, found '" + text + "'");
   }
-  return id;
+  return *id;
 }
 
 wire::IsoTpSettings server_of(const Options& options) {

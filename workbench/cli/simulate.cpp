@@ -1,12 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
 #include <sstream>
 
+#include "wire/text.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -59,14 +58,12 @@ std::string replace_ending(const std::string& path, const char* ending) {
 
 // The parser's own numbers wrap around: -1 would be a seed.
 std::uint64_t seed_of(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc() || stop != end) {
+  const auto seed = wire::number_of<std::uint64_t>(text);
+  if (!seed) {
     throw UsageError("--seed: expected a whole number from 0 to 2^64 - 1, found '" +
                      text + "'");
   }
-  return seed;
+  return *seed;
 }
 
 int list() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "wire/text.hpp"
 #include "workbench/recording/columns/line_table.hpp"
 #include "workbench/recording/columns/long_format.hpp"
 #include "workbench/recording/columns/mode_column.hpp"
@@ -82,7 +83,7 @@ class ColumnChooser {
       const Part part = candidates_[i].name.part;
       const bool is_key = std::ranges::find(out_.keys, i) != out_.keys.end();
       // 0 in all rows beside other numbers, without a name: a state of theirs.
-      const auto code = as_number(columns_[i].first);
+      const auto code = wire::number_of<double>(columns_[i].first);
       const bool state = layout_.header.empty() && columns_[i].rests() && code &&
                          is_quality_code(*code) && !out_.values.empty();
       if (candidates_[i].measured && !is_key && part != Part::kQuality && !state) {
@@ -264,7 +265,7 @@ std::optional<std::vector<std::size_t>> own_times(const CsvLayout& layout,
   Indices out;
   if (before.size() > 1 && before.front() < first) {
     for (const std::size_t signal : signals) {
-      out.push_back(*(std::lower_bound(before.begin(), before.end(), signal) - 1));
+      out.push_back(*(std::ranges::lower_bound(before, signal) - 1));
     }
     return out;
   }
@@ -273,7 +274,7 @@ std::optional<std::vector<std::size_t>> own_times(const CsvLayout& layout,
                   [](const LayoutColumn& c) { return is_time(c.content); });
   if (behind.size() < 2 || leads) return std::nullopt;
   for (const std::size_t signal : signals) {
-    const auto time = std::lower_bound(behind.begin(), behind.end(), signal);
+    const auto time = std::ranges::lower_bound(behind, signal);
     if (time == behind.end()) return std::nullopt;
     out.push_back(*time);
   }

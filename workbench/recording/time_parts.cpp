@@ -9,7 +9,6 @@
 
 #include "workbench/recording/columns/line_table.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/spelling/cell_number.hpp"
 
 namespace workbench {
 namespace {
@@ -99,8 +98,8 @@ bool are_hour_and_minute(const std::vector<LayoutColumn>& columns, std::size_t f
   const LayoutColumn& minutes = columns[first + 1];
   if (!is_in_full(hours) || !is_in_full(minutes)) return false;
   if (stands_for_least(columns, first + 1)) return false;
-  const std::optional<double> hour = as_number(hours.first);
-  const std::optional<double> minute = as_number(minutes.first);
+  const std::optional<double> hour = wire::number_of<double>(hours.first);
+  const std::optional<double> minute = wire::number_of<double>(minutes.first);
   return hour && minute && *hour >= 0 && is_whole(*hour) && *minute >= 0 && *minute < 60;
 }
 
@@ -126,14 +125,14 @@ std::vector<std::size_t> clock_among(const std::vector<LayoutColumn>& columns) {
 // In the first row; the year rests.
 bool begins_as_datevec(std::span<const LayoutColumn> columns) {
   for (std::size_t i = 0; i < kDateParts; ++i) {
-    const std::optional<double> value = as_number(columns[i].first);
+    const std::optional<double> value = wire::number_of<double>(columns[i].first);
     const bool last = i + 1 == kDateParts;
     if (!holds_numbers(columns[i]) || !value || *value < kLeast[i] ||
         *value >= kMost[i] + 1 || !(last || is_whole(*value))) {
       return false;
     }
   }
-  return *as_number(columns[0].first) >= kFirstYear && columns[0].rests();
+  return *wire::number_of<double>(columns[0].first) >= kFirstYear && columns[0].rests();
 }
 
 // Time1 … Time6, one name.

@@ -1,7 +1,6 @@
 #include "workbench/recording/time_unit.hpp"
 
 #include <array>
-#include <charconv>
 #include <string>
 #include <utility>
 
@@ -48,12 +47,10 @@ std::string in_seconds(const std::string& text) {
   if (behind == std::string::npos) return text;
   const std::string_view before = trimmed(std::string_view(text).substr(0, behind));
   const double unit_s = seconds_of_unit(std::string_view(text).substr(behind));
-  double value = 0;
-  const char* const end = before.data() + before.size();
-  const auto [rest, error] = std::from_chars(before.data(), end, value);
-  if (!(unit_s > 0) || error != std::errc() || rest != end) return text;
+  const std::optional<double> value = wire::number_of<double>(before);
+  if (!(unit_s > 0) || !value) return text;
   constexpr int kAllDigits = 15;
-  return number(value * unit_s, kAllDigits);
+  return number(*value * unit_s, kAllDigits);
 }
 
 double unit_in_name(std::string_view name) {

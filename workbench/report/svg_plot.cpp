@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "wire/text.hpp"
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/time_unit.hpp"
 
@@ -95,14 +96,11 @@ std::string words_at(double px, double py, const char* anchor, const std::string
 std::string names(const Plot& plot, const Axis& x, double top) {
   std::string out;
   for (std::size_t i = 0; i < plot.names.size(); ++i) {
-    std::size_t begin = 0;
+    std::string_view rest = plot.names[i];
     const double first = top + 16 + (plot.staggered && i % 2 == 1 ? kLower : 0);
-    for (int line = 0; begin < plot.names[i].size(); ++line) {
-      const std::size_t end =
-          std::min(plot.names[i].find('\n', begin), plot.names[i].size());
+    for (int line = 0; !rest.empty(); ++line) {
       out += words_at(x.at(static_cast<double>(i)), first + kLine * line, "middle",
-                      plot.names[i].substr(begin, end - begin));
-      begin = end + 1;
+                      std::string(wire::take_until(rest, '\n')));
     }
   }
   return out;
@@ -233,7 +231,7 @@ std::string legend(const Plot& plot) {
   std::vector<std::string> seen;
   for (const PlotLine& line : plot.lines) {
     if (line.y.empty() || line.label.empty() ||
-        std::find(seen.begin(), seen.end(), line.label) != seen.end())
+        std::ranges::find(seen, line.label) != seen.end())
       continue;
     seen.push_back(line.label);
     out += std::string("<span><i class=\"") + css_class(line.ink) +
@@ -244,8 +242,8 @@ std::string legend(const Plot& plot) {
 }
 
 bool all_signals(const Plot& plot) {
-  return std::all_of(plot.lines.begin(), plot.lines.end(),
-                     [](const PlotLine& line) { return line.is_signal; });
+  return std::ranges::all_of(plot.lines,
+                             [](const PlotLine& line) { return line.is_signal; });
 }
 
 }  // namespace
@@ -298,7 +296,7 @@ std::vector<std::size_t> visible_points(const std::vector<double>& y, int pixels
     std::vector<std::size_t> chosen = {begin, static_cast<std::size_t>(low - y.begin()),
                                        static_cast<std::size_t>(high - y.begin()),
                                        end - 1};
-    std::sort(chosen.begin(), chosen.end());
+    std::ranges::sort(chosen);
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
     out.insert(out.end(), chosen.begin(), chosen.end());
   }
@@ -310,9 +308,8 @@ std::string figure(const Plot& plot, const std::string& caption) {
   Axis y{range_of(plot, &PlotLine::y), plot.height - below(plot), kTop};
   if (plot.include_zero) y.range.include(0);
   // Notes stand above their points.
-  const bool noted =
-      std::any_of(plot.lines.begin(), plot.lines.end(),
-                  [](const PlotLine& line) { return !line.notes.empty(); });
+  const bool noted = std::ranges::any_of(
+      plot.lines, [](const PlotLine& line) { return !line.notes.empty(); });
   const double margin = (noted ? 0.14 : 0.04) * (y.range.high - y.range.low);
   if (!noted) y.range.low -= margin;
   y.range.high += margin;

@@ -140,9 +140,7 @@ std::string capitalised(std::string text) {
 
 void Texts::take(std::string_view script) {
   while (!script.empty()) {
-    const std::size_t end = std::min(script.find('\n'), script.size());
-    const std::string_view line = script.substr(0, end);
-    script.remove_prefix(std::min(end + 1, script.size()));
+    const std::string_view line = wire::take_until(script, '\n');
     std::size_t at = std::min(line.find_first_not_of(' '), line.size());
     Entry entry;
     if (!read_quoted(line, at, entry.key) || line.substr(at, 2) != ": ") continue;
@@ -156,8 +154,8 @@ void Texts::take(std::string_view script) {
       entries_[place->second].other = std::move(entry.other);
     }
   }
-  std::stable_sort(patterns_.begin(), patterns_.end(),
-                   [](const Pattern& a, const Pattern& b) { return a.fixed > b.fixed; });
+  std::ranges::stable_sort(
+      patterns_, [](const Pattern& a, const Pattern& b) { return a.fixed > b.fixed; });
 }
 
 void Texts::add_pattern(std::size_t entry) {
@@ -232,9 +230,8 @@ bool Texts::known(std::string_view bare, std::string& out) const {
       return true;
     }
   }
-  return std::any_of(patterns_.begin(), patterns_.end(), [&](const Pattern& pattern) {
-    return filled_in(pattern, bare, out);
-  });
+  return std::ranges::any_of(
+      patterns_, [&](const Pattern& pattern) { return filled_in(pattern, bare, out); });
 }
 
 bool Texts::listed(std::string_view bare, std::string& out) const {
@@ -327,7 +324,7 @@ std::string Texts::translated(std::string_view text) const {
   const auto is_blank = [](char c) {
     return std::isspace(static_cast<unsigned char>(c)) != 0;
   };
-  const auto first = std::find_if_not(text.begin(), text.end(), is_blank);
+  const auto first = std::ranges::find_if_not(text, is_blank);
   const auto last = std::find_if_not(text.rbegin(), text.rend(), is_blank).base();
   return std::string(text.begin(), first) + other + std::string(last, text.end());
 }

@@ -107,7 +107,7 @@ bool LineTable::counts(std::size_t column) const {
   for (std::size_t i = first_row_; i < cells_.size(); ++i) {
     if (column >= cells_[i].size()) return false;
     const std::string_view cell = cells_[i][column].text;
-    const std::optional<double> value = as_number(cell);
+    const std::optional<double> value = wire::number_of<double>(cell);
     if (!value) return false;
     values.push_back(*value);
     const std::size_t point = std::min(cell.find('.'), cell.size() - 1);

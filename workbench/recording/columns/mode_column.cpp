@@ -5,7 +5,6 @@
 
 #include "workbench/recording/column_name.hpp"
 #include "workbench/recording/letters.hpp"
-#include "workbench/recording/spelling/cell_number.hpp"
 
 namespace workbench {
 namespace {
@@ -90,7 +89,7 @@ std::optional<std::size_t> mode_column(const std::vector<LayoutColumn>& columns,
 double mode_code(std::string_view cell) {
   std::string word = lower_case(cell);
   std::erase_if(word, [](char c) { return c == '"' || c == ' '; });
-  if (const auto value = as_number(word); value >= 0.0) return *value;
+  if (const auto value = wire::number_of<double>(word); value >= 0.0) return *value;
   if (is_one_of(word, kAutomaticModes)) return kAutomatic;
   return is_one_of(word, kManualModes) ? kManual : kNoMode;
 }

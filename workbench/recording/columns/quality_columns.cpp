@@ -8,7 +8,6 @@
 
 #include "workbench/recording/letters.hpp"
 #include "workbench/recording/spelling/bad_value.hpp"
-#include "workbench/recording/spelling/cell_number.hpp"
 #include "workbench/recording/spelling/quality_words.hpp"
 
 namespace workbench {
@@ -30,7 +29,7 @@ Evidence evidence_of(const LineTable& table, std::size_t column) {
     const std::string_view cell = table.cells(i)[column].text;
     if (cell.empty()) continue;
     out.any = true;
-    const std::optional<double> number = as_number(cell);
+    const std::optional<double> number = wire::number_of<double>(cell);
     const bool is_code = number && is_quality_code(*number);
     out.good = out.good || number == kGoodOfOpc;
     out.codes = out.codes && (number ? is_code : kind_of(cell) != CellKind::kNumber);

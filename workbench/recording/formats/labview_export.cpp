@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "wire/text.hpp"
 #include "workbench/recording/cell_reader.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/resample.hpp"
@@ -27,14 +28,12 @@ std::optional<std::string_view> said(std::string_view head, std::string_view key
 // The one number that all cells are.
 std::optional<double> common_number(std::string_view cells, char separator) {
   std::string first(cells.substr(0, cells.find(separator)));
-  for (std::size_t at = 0; at < cells.size();) {
-    const std::size_t end = std::min(cells.find(separator, at), cells.size());
-    const std::string_view cell = cells.substr(at, end - at);
+  while (!cells.empty()) {
+    const std::string_view cell = wire::take_until(cells, separator);
     if (!cell.empty() && cell != first) return std::nullopt;
-    at = end + 1;
   }
   std::ranges::replace(first, ',', '.');
-  return as_number(first);
+  return wire::number_of<double>(first);
 }
 
 // Each row with the time that X0 and Delta_X of the head give it.
@@ -128,7 +127,8 @@ class Segments {
     std::string cell(trimmed(line.substr(0, end)));
     std::ranges::replace(cell, ',', '.');
     constexpr int kDigits = 12;
-    if (const auto x = as_number(cell)) cell = number(*x + offset_s_, kDigits);
+    if (const auto x = wire::number_of<double>(cell))
+      cell = number(*x + offset_s_, kDigits);
     if (comma_) std::ranges::replace(cell, '.', ',');
     out_ += cell;
     out_ += line.substr(end);

@@ -5,17 +5,13 @@
 #include <vector>
 
 #include "wire/text.hpp"
+#include "workbench/recording/cell_reader.hpp"
 
 namespace workbench {
 namespace {
 
 constexpr std::size_t kMostLines = 60;
 constexpr std::size_t kFileTimeDigits = 18;  // 100 ns from 1601
-
-std::string_view without_end(std::string_view line) {
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
 
 using Cells = std::vector<std::string_view>;
 
@@ -102,18 +98,16 @@ class ScopeHeader {
 std::optional<std::string> read_with(std::string_view text, char separator) {
   ScopeHeader header;
   std::size_t lines = 0;
-  std::size_t at = 0;
-  while (at < text.size() && lines < kMostLines) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = without_end(text.substr(at, end - at));
+  while (!text.empty() && lines < kMostLines) {
+    const std::string_view rest = text;
+    const std::string_view line = take_whole_line(text);
     Cells cells = cells_of(line, separator);
     if (header.started() && !line.empty() && wire::is_digit(line[0])) {
       drop_blank_end(cells, header.width());
       if (!header.is_scope() || cells.size() != header.width()) return std::nullopt;
       std::string out(lines - 1, '\n');
       const bool absolute = cells[0].size() >= kFileTimeDigits;
-      ((out += header.text(separator, absolute ? "Time" : "t [ms]")) += '\n') +=
-          text.substr(at);
+      ((out += header.text(separator, absolute ? "Time" : "t [ms]")) += '\n') += rest;
       return out;
     }
     if (!header.started()) {
@@ -121,7 +115,6 @@ std::optional<std::string> read_with(std::string_view text, char separator) {
     } else if (!line.empty() && !header.add(std::move(cells))) {
       return std::nullopt;
     }
-    at = end + 1;
     ++lines;
   }
   return std::nullopt;

@@ -1,7 +1,6 @@
 #include "workbench/recording/spelling/bad_value.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -125,13 +124,10 @@ namespace {
 // The code of a cell that is a number, decimal or as 0x80000000.
 std::optional<double> numeric_code(std::string_view cell) {
   if (cell.starts_with("0x") || cell.starts_with("0X")) {
-    std::uint64_t code = 0;
-    const auto [stop, status] =
-        std::from_chars(cell.data() + 2, cell.data() + cell.size(), code, 16);
-    if (status != std::errc{} || stop != cell.data() + cell.size()) return std::nullopt;
-    return static_cast<double>(code);
+    const auto code = wire::number_of<std::uint64_t>(cell.substr(2), 16);
+    return code ? std::optional(static_cast<double>(*code)) : std::nullopt;
   }
-  const std::optional<double> code = as_number(cell);
+  const std::optional<double> code = wire::number_of<double>(cell);
   // The code of OPC UA and Ignition in a signed number of 32 bits.
   if (code >= -kOpcUaBad && code < -kOpcUaUncertain) return *code + 2 * kOpcUaBad;
   return code >= 0.0 ? code : std::nullopt;

@@ -286,14 +286,6 @@ NumberReader::Result NumberReader::accept(char decimal) {
   return points_ && commas_ ? Result::kMixedMarks : Result::kOk;
 }
 
-std::optional<double> as_number(std::string_view cell) {
-  double value = 0;
-  const auto [stop, status] =
-      std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  const bool whole = status == std::errc{} && stop == cell.data() + cell.size();
-  return whole ? std::optional(value) : std::nullopt;
-}
-
 std::string_view without_blanks(std::string_view cell) {
   for (bool cut = true; cut;) {
     cut = false;

@@ -56,10 +56,6 @@ class NumberReader {
   bool commas_ = false;
 };
 
-/// A cell that as a whole is a number with a decimal point, as programs write them: no
-/// sign +, no groups, no unit. Nothing for any other.
-[[nodiscard]] std::optional<double> as_number(std::string_view cell);
-
 /// A cell of a number in the letters that programs read: without no-break and thin blanks
 /// around it; U+2212, a dash or a minus behind (44.9-, as SAP writes) as '-' in front;
 /// full-width and Arabic digits and marks as ASCII; D in the exponent as E; without the

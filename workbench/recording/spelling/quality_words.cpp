@@ -73,11 +73,9 @@ QualityWord worst_of(std::string_view set) {
   set = set.substr(1, set.find('}') - 1);
   QualityWord worst = QualityWord::kGood;
   while (!trimmed(set).empty()) {
-    const std::size_t comma = std::min(set.find(','), set.size());
-    const QualityWord word = meaning_of(trimmed(set.substr(0, comma)));
+    const QualityWord word = meaning_of(trimmed(wire::take_until(set, ',')));
     if (word == QualityWord::kBad) return word;
     if (word != QualityWord::kGood && worst != QualityWord::kUncertain) worst = word;
-    set.remove_prefix(std::min(comma + 1, set.size()));
   }
   return worst;
 }

@@ -81,12 +81,5 @@ TEST(CellNumber, AStyleIsWhatTheCellsAgreeOn) {
   EXPECT_FALSE(evidence.add("2026-05-03"));
 }
 
-TEST(AsNumber, IsAWholeCellWithAPoint) {
-  EXPECT_EQ(as_number("-4.5e2"), -450.0);
-  for (const char* cell : {"", "4,5", "+4", "4 %", "1 000", "x"}) {
-    EXPECT_FALSE(as_number(cell)) << cell;
-  }
-}
-
 }  // namespace
 }  // namespace workbench
