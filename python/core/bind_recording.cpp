@@ -15,19 +15,12 @@ namespace {
 
 using workbench::Column;
 
-Column column_named(const std::string& name) {
-  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
-    if (name == workbench::name_of(column)) return column;
+Column signal_named(const std::string& name) {
+  const std::optional<Column> column = workbench::column_named(name);
+  if (!column || *column == Column::t) {
+    throw std::invalid_argument("no column '" + name + "'");
   }
-  throw std::invalid_argument("no column '" + name + "'");
-}
-
-std::optional<workbench::DateOrder> date_order_of(const std::string& name) {
-  if (name.empty()) return std::nullopt;
-  if (name == "dmy") return workbench::DateOrder::dmy;
-  if (name == "mdy") return workbench::DateOrder::mdy;
-  if (name == "ymd") return workbench::DateOrder::ymd;
-  throw std::invalid_argument("no order of dates '" + name + "': dmy, mdy or ymd");
+  return *column;
 }
 
 std::optional<char> decimal_of(const std::string& name) {
@@ -47,7 +40,9 @@ void set(workbench::RecordingSource& source, const std::string& key,
   if (const auto text = texts.find(key); text != texts.end()) {
     *text->second = value;
   } else if (key == "date_order") {
-    source.date_order = date_order_of(value);
+    source.date_order = workbench::date_order_named(value);
+    if (source.date_order) return;
+    throw std::invalid_argument("no order of dates '" + value + "': dmy, mdy or ymd");
   } else if (key == "decimal") {
     source.decimal = decimal_of(value);
   } else {
@@ -67,7 +62,7 @@ std::shared_ptr<HeldRecording> read(const std::string& path, const Names& option
   source.names.loads = std::move(loads);
   source.u_before = u_before;
   source.required.clear();
-  for (const std::string& name : required) source.required.push_back(column_named(name));
+  for (const std::string& name : required) source.required.push_back(signal_named(name));
   for (const auto& [key, value] : options) set(source, key, value);
   workbench::Recording recording;
   std::vector<workbench::Load> own_readings;
@@ -82,7 +77,7 @@ std::shared_ptr<HeldRecording> read(const std::string& path, const Names& option
 
 py::dict units_of(const HeldRecording& recording) {
   py::dict out;
-  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : workbench::kLoopColumns) {
     const std::string& unit = recording.view().unit(column);
     if (!unit.empty()) out[py::str(std::string(workbench::name_of(column)))] = unit;
   }

@@ -18,13 +18,10 @@ using workbench::Column;
 using workbench::InputError;
 using workbench::Recording;
 
-constexpr std::array kColumns = {Column::t, Column::u, Column::y, Column::sp, Column::x};
-
-std::optional<Column> column_named(const std::string& name) {
-  for (const Column column : kColumns) {
-    if (workbench::name_of(column) == name) return column;
-  }
-  return std::nullopt;
+Column known_column(const std::string& name) {
+  const std::optional<Column> column = workbench::column_named(name);
+  if (!column) throw std::invalid_argument("no column '" + name + "'");
+  return *column;
 }
 
 std::span<const double>& slot_of(workbench::RecordingView& view, Column column) {
@@ -45,7 +42,7 @@ std::span<const double>& slot_of(workbench::RecordingView& view, Column column) 
 
 void refuse_times_that_do_not_rise(std::span<const double> t) {
   const auto bad =
-      std::adjacent_find(t.begin(), t.end(), [](double a, double b) { return !(a < b); });
+      std::ranges::adjacent_find(t, [](double a, double b) { return !(a < b); });
   if (bad == t.end()) return;
   throw InputError("array t", 0, 0, "times in seconds that rise",
                    workbench::number(bad[1], 9) + " after " +
@@ -107,15 +104,11 @@ HeldRecording::HeldRecording(Columns columns, Columns loads, ArrayNotes notes)
     return values;
   };
   for (const auto& [name, array] : columns_) {
-    const std::optional<Column> column = column_named(name);
-    if (!column) throw std::invalid_argument("no column '" + name + "'");
-    slot_of(view_, *column) = checked(name, array);
+    slot_of(view_, known_column(name)) = checked(name, array);
   }
   for (const auto& [name, array] : loads_) (void)checked(name, array);
   for (auto& [name, unit] : notes.units) {
-    const std::optional<Column> column = column_named(name);
-    if (!column) throw std::invalid_argument("no column '" + name + "'");
-    view_.units[static_cast<std::size_t>(*column)] = std::move(unit);
+    view_.units[static_cast<std::size_t>(known_column(name))] = std::move(unit);
   }
   if (length.value_or(0) < 2) {
     throw InputError("arrays", 0, 0, "at least 2 samples",
@@ -145,8 +138,7 @@ void HeldRecording::lay_in_time(std::optional<double> ts, std::size_t length) {
   for (std::size_t i = 0; i < rows.t.size(); ++i) {
     rows.line.push_back(static_cast<std::uint32_t>(i));
   }
-  for (const Column column : kColumns) {
-    if (column == Column::t) continue;
+  for (const Column column : workbench::kLoopColumns) {
     rows.values[static_cast<std::size_t>(column)] = copy_of(view_.values(column));
   }
   Recording out;
@@ -192,7 +184,7 @@ const std::shared_ptr<const Recording>& HeldRecording::whole() const {
   copy->period_s = view_.period_s;
   copy->units = view_.units;
   copy->start = view_.start;
-  for (const Column column : kColumns)
+  for (const Column column : workbench::kAllColumns)
     copy->values(column) = copy_of(view_.values(column));
   for (const auto& [name, array] : loads_) {
     copy->loads.push_back({name, "", copy_of(samples_of(array, name))});

@@ -111,7 +111,7 @@ RecordingView Analysis::longest_of(const RecordingView& piece, std::size_t befor
       note = "from " + number(alone.t.front()) + " to " + number(alone.t.back()) +
              " s: " + note;
     }
-    if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) {
+    if (std::ranges::find(notes_, note) == notes_.end()) {
       notes_.push_back(std::move(note));
     }
   }
@@ -133,7 +133,7 @@ void Analysis::run(const Progress& progress, int most_windows) {
   double low = signals_.front().u.front();
   double high = low;
   for (const Recording& signals : signals_) {
-    const auto [least, most] = std::minmax_element(signals.u.begin(), signals.u.end());
+    const auto [least, most] = std::ranges::minmax_element(signals.u);
     low = std::min(low, *least);
     high = std::max(high, *most);
   }
@@ -245,7 +245,7 @@ void Analysis::thin_out(const RecordingView& recording, int decimation) {
   for (std::size_t i = 0; i < signals.t.size(); ++i) {
     signals.t[i] = recording.t[i * factor] + to_middle;
   }
-  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : kLoopColumns) {
     signals.values(column) = means(recording.values(column), factor);
   }
   if (decimation > 1 && (sources_.empty() || sources_.back().recording != recordings_)) {
@@ -333,7 +333,7 @@ Simulation Analysis::simulate() {
 
 bool has_model(const Identification& result) {
   const auto& b = result.model.process.b;
-  return std::any_of(b.begin(), b.end(), [](double value) { return value != 0; });
+  return std::ranges::any_of(b, [](double value) { return value != 0; });
 }
 
 }  // namespace workbench

@@ -28,7 +28,7 @@ Recording cut_out(const Recording& recording, const UncutPart& part) {
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(part.first);
     values = std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(part.length));
   };
-  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : kAllColumns) {
     cut(out.values(column));
   }
   for (Load& load : out.loads) cut(load.values);

@@ -36,13 +36,6 @@ Sees periods of 4 to 500 samples. Regularity above 1 means that the signal oscil
 amplitude is half the peak-to-peak swing of the fundamental wave. Period and amplitude
 are null in JSON where no oscillation is seen.)";
 
-Column column_named(const std::string& name) {
-  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
-    if (name == name_of(column)) return column;
-  }
-  throw UsageError("no column '" + name + "'");
-}
-
 using Report = ident::OscillationReport<double>;
 
 std::string human_text(const Report& report, const Recording& recording,
@@ -119,7 +112,7 @@ Recording read_signal(RecordingSource source, Column column, bool column_given) 
 }
 
 int detect(const Options& options) {
-  const Column column = column_named(options.column);
+  const Column column = column_named(options.column).value();
   const Recording recording = read_signal(options.source, column, options.column_given);
   ident::OscillationDetector<double> detector;
   for (const double value : recording.values(column)) detector.push(value);

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/exit_code.hpp"
@@ -53,12 +52,7 @@ CLI::Option* add_date_order(CLI::App& command, std::optional<DateOrder>& order,
   return command
       .add_option_function<std::string>(
           "--date-order",
-          [&order](const std::string& text) {
-            order = text == "mdy"   ? DateOrder::mdy
-                    : text == "ymd" ? DateOrder::ymd
-                                    : DateOrder::dmy;
-          },
-          help)
+          [&order](const std::string& text) { order = date_order_named(text); }, help)
       ->type_name("ORDER")
       ->check(CLI::IsMember({"dmy", "mdy", "ymd"}));
 }

@@ -11,7 +11,7 @@ namespace workbench {
 LayoutWish wish_of(const CsvOptions& options) {
   LayoutWish wish{options.required, {}, options.decimal};
   if (!options.ts) wish.required.insert(wish.required.begin(), Column::t);
-  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : kAllColumns) {
     const std::string& name = options.names.of(column);
     if (!name.empty() && name[0] != '#') wish.named.push_back(name);
   }

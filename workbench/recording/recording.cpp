@@ -9,6 +9,13 @@ std::string_view name_of(Column column) {
   return kNames[static_cast<std::size_t>(column)];
 }
 
+std::optional<Column> column_named(std::string_view name) {
+  for (const Column column : kAllColumns) {
+    if (name_of(column) == name) return column;
+  }
+  return std::nullopt;
+}
+
 const std::vector<double>& Recording::values(Column column) const {
   return of_column(column, t, u, y, sp, x);
 }

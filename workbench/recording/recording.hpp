@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,12 @@ namespace workbench {
 
 /// The columns a recording can have, in the words of the contract.
 enum class Column { t, u, y, sp, x };
-inline constexpr int kColumns = 5;
+inline constexpr std::array kAllColumns = {Column::t, Column::u, Column::y, Column::sp,
+                                           Column::x};
+inline constexpr std::size_t kColumns = kAllColumns.size();
 [[nodiscard]] std::string_view name_of(Column column);
+/// The one of that name; nothing: there is none.
+[[nodiscard]] std::optional<Column> column_named(std::string_view name);
 
 /// Those that are signals of the loop.
 inline constexpr std::array kLoopColumns = {Column::u, Column::y, Column::sp, Column::x};

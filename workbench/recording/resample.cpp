@@ -188,12 +188,11 @@ std::vector<std::uint32_t> rows_held(const std::vector<double>& t, double period
 std::vector<SampleRange> gaps_between(const TimedRows& rows,
                                       const std::vector<std::uint32_t>& index) {
   const auto place_of = [&index](std::size_t row) {
-    return static_cast<std::size_t>(std::lower_bound(index.begin(), index.end(), row) -
-                                    index.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(index, row) - index.begin());
   };
   std::vector<SampleRange> out;
   for (const double time : rows.between) {
-    const auto next = std::upper_bound(rows.t.begin(), rows.t.end(), time);
+    const auto next = std::ranges::upper_bound(rows.t, time);
     if (next == rows.t.begin() || next == rows.t.end()) continue;
     const std::size_t end = place_of(static_cast<std::size_t>(next - rows.t.begin()));
     if (end == 0 || end == index.size()) continue;
@@ -214,8 +213,8 @@ void take_rows(TimedRows&& rows, const std::vector<std::uint32_t>& index,
     to.resize(index.size());
     for (std::size_t i = 0; i < index.size(); ++i) to[i] = from[index[i]];
   };
-  for (int c = 1; c < kColumns; ++c) {
-    take(rows.values[static_cast<std::size_t>(c)], out.values(static_cast<Column>(c)));
+  for (const Column column : kLoopColumns) {
+    take(rows.values[static_cast<std::size_t>(column)], out.values(column));
   }
   for (std::size_t i = 0; i < rows.loads.size(); ++i) {
     take(rows.loads[i], out.loads[i].values);

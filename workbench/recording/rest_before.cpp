@@ -17,7 +17,7 @@ void put_rest_before(Recording& recording, double u_before) {
   const auto rest = [](std::vector<double>& values) {
     if (!values.empty()) values.insert(values.begin(), kRestSamples, values.front());
   };
-  for (const Column column : {Column::t, Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : kAllColumns) {
     rest(recording.values(column));
   }
   for (Load& load : recording.loads) rest(load.values);

@@ -148,7 +148,7 @@ class TimeText {
     // Dots stand in dates that begin with the day.
     if (!order && mark == '.') order = DateOrder::dmy;
     if (!order) {
-      for (const DateOrder any : {DateOrder::dmy, DateOrder::mdy, DateOrder::ymd}) {
+      for (const DateOrder any : kDateOrders) {
         if (day_of(out_.numbers, out_.kind, any)) return true;
       }
       return false;

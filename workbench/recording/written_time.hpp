@@ -1,6 +1,7 @@
 // One date or time of day, as people and historians write it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,8 +13,17 @@
 namespace workbench {
 
 enum class DateOrder : std::uint8_t { dmy, mdy, ymd };
+inline constexpr std::array kDateOrders = {DateOrder::dmy, DateOrder::mdy,
+                                           DateOrder::ymd};
 [[nodiscard]] constexpr const char* name_of(DateOrder order) {
   return order == DateOrder::dmy ? "dmy" : order == DateOrder::mdy ? "mdy" : "ymd";
+}
+/// The one of that name; nothing: there is none.
+[[nodiscard]] constexpr std::optional<DateOrder> date_order_named(std::string_view name) {
+  for (const DateOrder order : kDateOrders) {
+    if (name == name_of(order)) return order;
+  }
+  return std::nullopt;
 }
 
 /// A cell taken apart. The day is known, or its three numbers still wait for the order

@@ -1,10 +1,10 @@
 #include "workbench/serve/api_request.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
+#include "wire/text.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/parsed_json.hpp"
 #include "workbench/recording/resample.hpp"
@@ -20,11 +20,8 @@ using Json = nlohmann::ordered_json;
 std::optional<double> number_of(const std::string& text, const std::string& expected,
                                 bool positive) {
   if (text.empty()) return std::nullopt;
-  double value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
-      (positive && value <= 0)) {
+  const std::optional<double> value = wire::number_of<double>(text);
+  if (!value || !std::isfinite(*value) || (positive && *value <= 0)) {
     throw BadRequest(filled("expected {0}, found {1}; correct it, or leave it empty",
                             {expected, workbench::quoted(text)}));
   }
@@ -43,10 +40,8 @@ ColumnNames names_in(const ApiRequest& request) {
 
 std::optional<DateOrder> date_order_of(const ApiRequest& request) {
   const std::string text = value_or(request, "date_order", "");
-  if (text.empty()) return std::nullopt;
-  if (text == "dmy") return DateOrder::dmy;
-  if (text == "mdy") return DateOrder::mdy;
-  if (text == "ymd") return DateOrder::ymd;
+  const std::optional<DateOrder> order = date_order_named(text);
+  if (order || text.empty()) return order;
   throw BadRequest("expected date_order dmy, mdy or ymd, found " +
                    workbench::quoted(text));
 }
@@ -83,13 +78,11 @@ std::optional<double> u_before_in(const ApiRequest& request) {
 std::uint64_t count_in(const ApiRequest& request, const char* key,
                        const std::string& what) {
   const std::string text = value_or(request, key, "0");
-  std::uint64_t value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
+  const auto value = wire::number_of<std::uint64_t>(text);
+  if (!value) {
     throw BadRequest(filled("expected {0}, found {1}", {what, workbench::quoted(text)}));
   }
-  return value;
+  return *value;
 }
 
 std::uint64_t turn_in(const ApiRequest& request) {
@@ -140,9 +133,9 @@ Json object_in(const ApiRequest& request) {
 std::vector<std::string> codes_in(const Json& json, const char* key) {
   std::vector<std::string> codes;
   const Json list = json.value(key, Json::array());
-  const bool strings =
-      list.is_array() && std::all_of(list.begin(), list.end(),
-                                     [](const Json& item) { return item.is_string(); });
+  const bool strings = list.is_array() && std::ranges::all_of(list, [](const Json& item) {
+                         return item.is_string();
+                       });
   if (!strings) {
     throw BadRequest(std::string("expected an array of effects at '") + key + '\'');
   }

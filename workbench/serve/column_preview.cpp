@@ -17,8 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json signal_json(const Load& signal) {
-  const auto [low, high] =
-      std::minmax_element(signal.values.begin(), signal.values.end());
+  const auto [low, high] = std::ranges::minmax_element(signal.values);
   Json points = Json::array();
   for (const std::size_t k : visible_points(signal.values, kPreviewPixels)) {
     points.push_back({k, signal.values[k]});
@@ -40,13 +39,12 @@ Recording all_signals(std::string_view text, const std::string& name,
 
 Json picked_json(const Recording& recording, const Recording& all) {
   Json out = Json::object();
-  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : kLoopColumns) {
     if (!recording.has(column)) continue;
-    const auto same =
-        std::find_if(all.loads.begin(), all.loads.end(), [&](const Load& load) {
-          return load.values.size() == recording.size() &&
-                 load.values == recording.values(column);
-        });
+    const auto same = std::ranges::find_if(all.loads, [&](const Load& load) {
+      return load.values.size() == recording.size() &&
+             load.values == recording.values(column);
+    });
     if (same != all.loads.end()) out[std::string(name_of(column))] = same->name;
   }
   return out;
@@ -63,8 +61,8 @@ Json loops_json(const std::vector<Load>& signals) {
                        : name.part == Part::kX                         ? "x"
                                                                        : nullptr;
     if (role == nullptr) continue;
-    auto loop = std::find_if(loops.begin(), loops.end(),
-                             [&name](const auto& l) { return l.first == name.tag; });
+    auto loop = std::ranges::find_if(
+        loops, [&name](const auto& l) { return l.first == name.tag; });
     if (loop == loops.end()) {
       loops.push_back({name.tag, {{"name", name.prefix}}});
       loop = loops.end() - 1;

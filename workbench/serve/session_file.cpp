@@ -15,7 +15,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kKind = "stickband-session";
 constexpr int kSchema = 1;
-constexpr Column kAll[] = {Column::t, Column::u, Column::y, Column::sp, Column::x};
 
 Json recording_as_json(const Recording& recording) {
   Json out = {{"name", recording.name},
@@ -34,7 +33,7 @@ Json recording_as_json(const Recording& recording) {
   add("manual", recording.manual);
   out["split"] = {{"estimation_share", recording.split.estimation_share},
                   {"pair_samples", recording.split.pair_samples}};
-  for (const Column column : kAll) {
+  for (const Column column : kAllColumns) {
     if (!recording.has(column)) continue;
     out[std::string(name_of(column))] = recording.values(column);
     if (!recording.unit(column).empty()) {
@@ -104,7 +103,7 @@ class Reader {
     }
     out.period_s = period.get<double>();
     const Json units = json.value("units", Json::object());
-    for (const Column column : kAll) {
+    for (const Column column : kAllColumns) {
       const std::string key(name_of(column));
       if (json.contains(key)) out.values(column) = numbers(json[key], key);
       if (units.is_object() && units.contains(key)) {
@@ -176,7 +175,7 @@ class Reader {
       refuse("as many values of " + load.name + " as of t",
              std::to_string(load.values.size()));
     }
-    for (const Column column : kAll) {
+    for (const Column column : kAllColumns) {
       const std::size_t size = recording.values(column).size();
       const bool may_lack = column != Column::t && column != Column::u;
       if (size == recording.size() || (size == 0 && may_lack)) continue;

@@ -88,7 +88,7 @@ Indices drawn(std::size_t samples,
     const Indices some = visible_points(*signal, share);
     out.insert(out.end(), some.begin(), some.end());
   }
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
@@ -123,7 +123,7 @@ bool belongs_elsewhere(const ModelStep& step) {
 Json recording_json(const Recording& recording) {
   Json columns = Json::array();
   Json units = Json::object();
-  for (const Column column : {Column::u, Column::y, Column::sp, Column::x}) {
+  for (const Column column : kLoopColumns) {
     if (!recording.has(column)) continue;
     columns.push_back(name_of(column));
     if (!recording.unit(column).empty()) {

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t kMostPieces = 12;  // of one recording
 constexpr std::size_t kFewestOfPiece = 20;
-constexpr Column kSignals[] = {Column::u, Column::y, Column::sp, Column::x};
 
 void append(std::vector<double>& to, const std::vector<double>& from, std::size_t first,
             std::size_t last) {
@@ -28,12 +27,11 @@ void append(std::vector<double>& to, const std::vector<double>& from, std::size_
 std::vector<Piece> pieces_of(const Recording& recording) {
   std::vector<SampleRange> gaps = recording.resampling.gaps;
   if (gaps.size() >= kMostPieces) {
-    std::stable_sort(gaps.begin(), gaps.end(),
-                     [](const SampleRange& a, const SampleRange& b) {
-                       return a.last - a.first > b.last - b.first;
-                     });
+    std::ranges::stable_sort(gaps, [](const SampleRange& a, const SampleRange& b) {
+      return a.last - a.first > b.last - b.first;
+    });
     gaps.resize(kMostPieces - 1);
-    std::sort(gaps.begin(), gaps.end(), [](const SampleRange& a, const SampleRange& b) {
+    std::ranges::sort(gaps, [](const SampleRange& a, const SampleRange& b) {
       return a.first < b.first;
     });
   }
@@ -103,7 +101,7 @@ std::string names_of(const std::vector<Recording>& recordings) {
 
 void append(Recording& to, Recording from) {
   const std::size_t start = to.u.size();
-  for (const Column column : kSignals) {
+  for (const Column column : kLoopColumns) {
     if (!to.has(column) || !from.has(column)) {
       to.values(column).clear();
     } else {
@@ -111,8 +109,8 @@ void append(Recording& to, Recording from) {
     }
   }
   std::erase_if(to.loads, [&](const Load& load) {
-    return std::none_of(from.loads.begin(), from.loads.end(),
-                        [&](const Load& other) { return other.name == load.name; });
+    return std::ranges::none_of(
+        from.loads, [&](const Load& other) { return other.name == load.name; });
   });
   for (Load& load : to.loads) {
     for (const Load& other : from.loads) {
@@ -137,8 +135,9 @@ void append(Recording& to, Recording from) {
 std::vector<SampleRange> united(std::vector<SampleRange> ranges,
                                 const std::vector<SampleRange>& others) {
   ranges.insert(ranges.end(), others.begin(), others.end());
-  std::sort(ranges.begin(), ranges.end(),
-            [](const SampleRange& a, const SampleRange& b) { return a.first < b.first; });
+  std::ranges::sort(ranges, [](const SampleRange& a, const SampleRange& b) {
+    return a.first < b.first;
+  });
   std::vector<SampleRange> out;
   for (const SampleRange& range : ranges) {
     if (!out.empty() && range.first <= out.back().last) {
@@ -175,7 +174,7 @@ Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
   out.left_out.clear();
   out.resampling.gaps.clear();
   out.manual.clear();
-  for (Column column : kSignals) out.values(column).clear();
+  for (Column column : kLoopColumns) out.values(column).clear();
   for (Load& load : out.loads) load.values.clear();
   for (Piece& piece : out.pieces) {
     const std::size_t start = out.u.size();
@@ -189,7 +188,7 @@ Recording cut_to(const Recording& recording, std::vector<Piece> pieces) {
     keep(recording.resampling.gaps, out.resampling.gaps);
     keep(recording.manual, out.manual);
     append(out.t, recording.t, piece.first, piece.last);
-    for (Column column : kSignals) {
+    for (Column column : kLoopColumns) {
       append(out.values(column), recording.values(column), piece.first, piece.last);
     }
     for (std::size_t i = 0; i < out.loads.size(); ++i) {
@@ -211,8 +210,8 @@ Recording joined(std::vector<Recording> fitted, std::vector<Recording> judging) 
   for (Recording& one : judging) all.push_back(std::move(one));
   check_one_loop(all);
   const std::vector<std::string> overlaps = overlaps_of(all);
-  const Recording& slowest = *std::max_element(
-      all.begin(), all.end(),
+  const Recording& slowest = *std::ranges::max_element(
+      all,
       [](const Recording& a, const Recording& b) { return a.period_s < b.period_s; });
   Recording out;
   for (std::size_t i = 0; i < all.size(); ++i) {

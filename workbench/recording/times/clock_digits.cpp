@@ -106,7 +106,7 @@ std::optional<ClockDigits> clock_digits(const std::vector<double>& numbers,
 std::optional<DayTimes> times_of_day(const std::vector<double>& numbers,
                                      std::size_t most_digits, bool passes_days) {
   if (numbers.empty()) return std::nullopt;
-  const auto [lowest, highest] = std::minmax_element(numbers.begin(), numbers.end());
+  const auto [lowest, highest] = std::ranges::minmax_element(numbers);
   DayTimes out;
   if (*lowest >= 0 && *highest < 1 && is_step_in_days(median_step(numbers))) {
     out.form = "fractions of a day";

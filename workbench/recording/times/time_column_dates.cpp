@@ -73,7 +73,7 @@ double TimeColumn::longest_step_s(DateOrder order) const {
 // The readings that the rows leave, the better founded alone where one is.
 std::vector<DateOrder> TimeColumn::orders() const {
   std::vector<DateOrder> left;
-  for (const DateOrder order : {DateOrder::dmy, DateOrder::mdy, DateOrder::ymd}) {
+  for (const DateOrder order : kDateOrders) {
     if (reads(order)) left.push_back(order);
   }
   std::vector<DateOrder> running;

@@ -22,6 +22,9 @@ TEST(Recording, RangesAreClippedAndCountedFromThePart) {
 TEST(Recording, AColumnHasAName) {
   EXPECT_EQ(name_of(Column::u), "u");
   EXPECT_EQ(name_of(Column::sp), "sp");
+  EXPECT_EQ(column_named("sp"), Column::sp);
+  EXPECT_EQ(column_named("t"), Column::t);
+  EXPECT_EQ(column_named("load"), std::nullopt);
 }
 
 }  // namespace

@@ -82,6 +82,13 @@ TEST(WrittenTime, LeavesTheOrderOpenWhereItIs) {
   EXPECT_EQ(written_time("2026-04-03", DateOrder::dmy)->day, days(2026y / 4 / 3));
 }
 
+TEST(WrittenTime, FindsAnOrderByItsName) {
+  for (const DateOrder order : kDateOrders) {
+    EXPECT_EQ(date_order_named(name_of(order)), order);
+  }
+  EXPECT_EQ(date_order_named("ydm"), std::nullopt);
+}
+
 TEST(WrittenTime, ReadsClockTimesAlone) {
   const auto time = written_time("23:59:59.5");
   ASSERT_TRUE(time.has_value());
