@@ -9,7 +9,7 @@
 #include "ident/verdict/judge.hpp"
 #include "wire/sha256.hpp"
 #include "workbench/recording/resample.hpp"
-#include "workbench/screen/embedded_page.hpp"
+#include "workbench/serve/embedded.hpp"
 
 namespace workbench {
 namespace {

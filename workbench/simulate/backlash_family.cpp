@@ -1,11 +1,10 @@
-#include "workbench/simulate/backlash_family.hpp"
-
 #include <algorithm>
 #include <span>
 #include <utility>
 
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/draft.hpp"
+#include "workbench/simulate/families.hpp"
 #include "workbench/simulate/noise.hpp"
 #include "workbench/simulate/setpoint_moves.hpp"
 

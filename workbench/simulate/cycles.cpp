@@ -16,7 +16,7 @@ double std_of(std::span<const double> signal) {
 }
 
 double swing_of(std::span<const double> signal) {
-  const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
+  const auto [low, high] = std::ranges::minmax_element(signal);
   return *high - *low;
 }
 

@@ -1,11 +1,10 @@
-#include "workbench/simulate/few_steps_family.hpp"
-
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/draft.hpp"
+#include "workbench/simulate/families.hpp"
 #include "workbench/simulate/noise.hpp"
 
 namespace workbench {

@@ -1,5 +1,3 @@
-#include "workbench/simulate/healthy_families.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,6 +5,7 @@
 
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/draft.hpp"
+#include "workbench/simulate/families.hpp"
 #include "workbench/simulate/noise.hpp"
 #include "workbench/simulate/setpoint_moves.hpp"
 
@@ -46,7 +45,7 @@ std::size_t total(const Draft& draft) {
 }
 
 bool touches_limits(const Draft& draft, const Trajectory& run) {
-  const auto [low, high] = std::minmax_element(run.u.begin(), run.u.end());
+  const auto [low, high] = std::ranges::minmax_element(run.u);
   return *low <= draft.setup.controller.low || *high >= draft.setup.controller.high;
 }
 

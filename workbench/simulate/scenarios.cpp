@@ -3,11 +3,8 @@
 #include <array>
 #include <iterator>
 
-#include "workbench/simulate/backlash_family.hpp"
-#include "workbench/simulate/few_steps_family.hpp"
-#include "workbench/simulate/healthy_families.hpp"
+#include "workbench/simulate/families.hpp"
 #include "workbench/simulate/paper_example.hpp"
-#include "workbench/simulate/stiction_families.hpp"
 
 namespace workbench {
 namespace {

@@ -1,11 +1,10 @@
-#include "workbench/simulate/stiction_families.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/draft.hpp"
+#include "workbench/simulate/families.hpp"
 #include "workbench/simulate/setpoint_moves.hpp"
 
 namespace workbench {
@@ -100,7 +99,7 @@ bool draw_recording(Random& random, const Trajectory& quiet, const Cycles& cycle
   draw_noise(random, setup.warm_up + setup.samples, amplitude / random.log_uniform(3, 40),
              draft);
   if (random.chance(0.3)) {
-    const auto [low, high] = std::minmax_element(quiet.u.begin(), quiet.u.end());
+    const auto [low, high] = std::ranges::minmax_element(quiet.u);
     const double cut = random.uniform(0.05, 0.2) * (*high - *low);
     if (random.chance(0.5))
       setup.controller.high = *high - cut;
