@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -73,7 +72,7 @@ class Monitor {
   bool step(int budget) {
     const InUse in_use(*this);
     const py::gil_scoped_release released;
-    return timed_step(budget);
+    return workbench::timed_step(*device_, budget, worst_step_us_);
   }
   // Every sample with all the work that it makes due, as `stickband monitor`.
   void feed(const Doubles& t, const Doubles& u, const Doubles& y,
@@ -134,16 +133,10 @@ class Monitor {
     Monitor& monitor_;
   };
 
-  bool timed_step(int budget) {
-    const auto begin = std::chrono::steady_clock::now();
-    const bool more = device_->step(budget);
-    const std::chrono::duration<double, std::micro> spent =
-        std::chrono::steady_clock::now() - begin;
-    worst_step_us_ = std::max(worst_step_us_, spent.count());
-    return more;
-  }
   void finish(const std::stop_token& stop) {
-    while (timed_step(workbench::kDeviceSlice)) workbench::check_stop(stop);
+    while (workbench::timed_step(*device_, workbench::kDeviceSlice, worst_step_us_)) {
+      workbench::check_stop(stop);
+    }
     collect();
   }
   void collect() {

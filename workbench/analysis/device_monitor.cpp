@@ -1,6 +1,7 @@
 #include "workbench/analysis/device_monitor.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "workbench/analysis/identification_json.hpp"
@@ -33,6 +34,15 @@ Json gap_json(const ident::MonitorReport<float>& report) {
 
 }  // namespace
 
+bool timed_step(DeviceMonitor& device, int budget, double& worst_step_us) {
+  const auto begin = std::chrono::steady_clock::now();
+  const bool more = device.step(budget);
+  const std::chrono::duration<double, std::micro> spent =
+      std::chrono::steady_clock::now() - begin;
+  worst_step_us = std::max(worst_step_us, spent.count());
+  return more;
+}
+
 ident::PerStroke<double> widened(const ident::PerStroke<float>& strokes) {
   return {widened(strokes.ascending), widened(strokes.descending)};
 }
@@ -45,7 +55,7 @@ ident::MonitorSettings<float> device_settings(
     settings.span_low = span->first;
     settings.span_high = span->second;
   } else {
-    const auto [low, high] = std::minmax_element(recording.u.begin(), recording.u.end());
+    const auto [low, high] = std::ranges::minmax_element(recording.u);
     settings.span_low = static_cast<float>(*low);
     settings.span_high = static_cast<float>(*high);
   }

@@ -16,6 +16,9 @@ using DeviceMonitor = ident::Monitor<float, ident::kStandardWindow>;
 /// Passes over the window in one slice of the evaluation, as between two samples.
 inline constexpr int kDeviceSlice = 20;
 
+/// Its step(budget), timed; `worst_step_us`: the longest one so far on this machine.
+[[nodiscard]] bool timed_step(DeviceMonitor& device, int budget, double& worst_step_us);
+
 /// Settings for a recording: its sample period, and `span` of u for the alarm limit (low,
 /// high), its range in the recording by default.
 [[nodiscard]] ident::MonitorSettings<float> device_settings(

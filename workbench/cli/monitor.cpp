@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <memory>
 
 #include "workbench/analysis/device_monitor.hpp"
@@ -133,12 +132,7 @@ int monitor(const Options& options) {
   const Narrator narrator(options.json, recording.period_s);
   double worst_step_us = 0;
   const auto finish_steps = [&device, &worst_step_us] {
-    for (bool busy = true; busy;) {
-      const auto begin = std::chrono::steady_clock::now();
-      busy = device->step(kDeviceSlice);
-      const std::chrono::duration<double, std::micro> spent =
-          std::chrono::steady_clock::now() - begin;
-      worst_step_us = std::max(worst_step_us, spent.count());
+    while (timed_step(*device, kDeviceSlice, worst_step_us)) {
     }
   };
   const auto tell = [&device, &narrator] {

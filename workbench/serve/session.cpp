@@ -116,6 +116,15 @@ void Session::begin(std::string task, Worker::Task work, Asked asked) {
   view_.stopped_at = 0;
 }
 
+void Session::begin_step(std::string task, MakeStep make) {
+  begin(std::move(task), [this, make = std::move(make)](const Worker::Report& report,
+                                                        const std::stop_token& stop) {
+    auto step = make(report, Work({.threads = Work::cores(), .stop = stop}));
+    report("", 0, 0);
+    push(std::move(step));
+  });
+}
+
 void Session::cancel() {
   const std::lock_guard beginning(beginning_);
   worker_.cancel();
@@ -125,14 +134,11 @@ void Session::cancel() {
 
 void Session::fit(std::shared_ptr<const Recording> recording, Column output,
                   std::vector<std::string> with) {
-  begin("model", [this, recording = std::move(recording), output, with = std::move(with)](
-                     const Worker::Report& report, const std::stop_token& stop) {
-    const Work search({.threads = Work::cores(), .stop = stop});
-    auto step = shared_step(
+  begin_step("model", [recording = std::move(recording), output, with = std::move(with)](
+                          const Worker::Report&, const Work& search) {
+    return shared_step(
         *recording,
         start_model(*recording, output, with, standard_catalogue(), search).model);
-    report("", 0, 0);
-    push(std::move(step));
   });
 }
 
@@ -252,15 +258,12 @@ void Session::explain(Asked asked) {
 void Session::refit(Model model, HeldNames held) {
   const SessionView before = view();
   static_cast<void>(before.last());
-  begin("refit", [this, before, model = std::move(model), held = std::move(held)](
-                     const Worker::Report& report, const std::stop_token& stop) {
-    const Work search({.threads = Work::cores(), .stop = stop});
+  begin_step("refit", [before, model = std::move(model), held = std::move(held)](
+                          const Worker::Report&, const Work& search) {
     const Recording& recording = *before.recording;
-    auto step = shared_step(
-        recording, by_hand(recording, before.last().model,
-                           refitted(recording, model, held, search), kFittedByHand));
-    report("", 0, 0);
-    push(std::move(step));
+    return shared_step(recording,
+                       by_hand(recording, before.last().model,
+                               refitted(recording, model, held, search), kFittedByHand));
   });
 }
 
@@ -287,14 +290,11 @@ void Session::add(std::vector<std::string> effects) {
     if (worker_.progress()) throw NotNow("work is under way; wait until it is done");
     return push(before.preview->step);
   }
-  begin("add", [this, before, effects = std::move(effects)](const Worker::Report& report,
-                                                            const std::stop_token& stop) {
-    const Work search({.threads = Work::cores(), .stop = stop});
-    auto step = shared_step(
+  begin_step("add", [before, effects = std::move(effects)](const Worker::Report& report,
+                                                           const Work& search) {
+    return shared_step(
         *before.recording,
         with_effects(*before.recording, before.last().model, effects, report, search));
-    report("", 0, 0);
-    push(std::move(step));
   });
 }
 
@@ -303,16 +303,13 @@ void Session::remove(std::string effect) {
   if (!before.last().model.has(effect)) {
     throw std::invalid_argument("the model has no " + effect);
   }
-  begin("remove", [this, before, effect = std::move(effect)](
-                      const Worker::Report& report, const std::stop_token& stop) {
+  begin_step("remove", [before, effect = std::move(effect)](const Worker::Report& report,
+                                                            const Work& search) {
     report(effect, 0, 0);
-    const Work search({.threads = Work::cores(), .stop = stop});
     const Recording& recording = *before.recording;
-    auto step = shared_step(recording, remove_effect(recording, before.last().model,
-                                                     effect, standard_catalogue(), search)
-                                           .model);
-    report("", 0, 0);
-    push(std::move(step));
+    return shared_step(recording, remove_effect(recording, before.last().model, effect,
+                                                standard_catalogue(), search)
+                                      .model);
   });
 }
 

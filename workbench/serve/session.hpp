@@ -232,6 +232,10 @@ class Session {
 
  private:
   void begin(std::string task, Worker::Task work, Asked asked = Asked::yes);
+  // Begins work that makes one step, and pushes that.
+  using MakeStep =
+      std::function<std::shared_ptr<const ModelStep>(const Worker::Report&, const Work&)>;
+  void begin_step(std::string task, MakeStep make);
   void fit(std::shared_ptr<const Recording> recording, Column output,
            std::vector<std::string> with);
   void replace(SessionView next);
