@@ -57,8 +57,7 @@ Catalogue Catalogue::with(const std::vector<Load>& loads) const {
   Catalogue more = *this;
   for (const Load& load : loads) {
     const Effect& effect = effects::disturbance_measured(load.name);
-    const bool known = std::find(more.effects_.begin(), more.effects_.end(), &effect) !=
-                       more.effects_.end();
+    const bool known = std::ranges::find(more.effects_, &effect) != more.effects_.end();
     if (!known) more.effects_.push_back(&effect);
   }
   return more;

@@ -8,8 +8,7 @@
 
 namespace workbench::effects {
 
-std::vector<SearchedParameter> searched_lag(const Situation& situation,
-                                            std::string_view name) {
+SearchedParameters searched_lag(const Situation& situation, std::string_view name) {
   return {{.name = name,
            .unit = "s",
            .low = situation.period_s / 10,
@@ -312,7 +311,7 @@ double swing_by_chance(std::span<const double> residual, std::span<const double>
   return std::max(by_phase, line_by_chance(signal, n / period));
 }
 
-std::vector<SearchedParameter> curve_parameters(const Situation& situation) {
+SearchedParameters curve_parameters(const Situation& situation) {
   return {{.name = "curvature", .unit = "1", .low = -5, .high = 5, .off = 0.0},
           {.name = "from",
            .unit = "u",

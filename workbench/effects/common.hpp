@@ -14,8 +14,8 @@ inline constexpr std::string_view kLagSignature =
 
 /// A lag as the only searched parameter, in s: a tenth of a sample period to a fifth of
 /// the recording.
-[[nodiscard]] std::vector<SearchedParameter> searched_lag(const Situation& situation,
-                                                          std::string_view name);
+[[nodiscard]] SearchedParameters searched_lag(const Situation& situation,
+                                              std::string_view name);
 
 /// Ten starts for a lag, from half a sample period to three times the first lag.
 [[nodiscard]] std::vector<Values> lag_starts(const Situation& situation);
@@ -57,8 +57,7 @@ class ShownByMoves : public Effect {
 /// One more lag: a single searched parameter of that name.
 class LagEffect : public ShownByMoves {
  public:
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& situation) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& situation) const override {
     return searched_lag(situation, parameter_);
   }
   [[nodiscard]] std::vector<Values> starts(const Situation& situation) const override {
@@ -123,7 +122,7 @@ void move_with_friction(const StemFriction& friction, ValveSignal& signal);
                                           const Situation& situation, Reals p, double c);
 
 /// Of a Curve: curvature (equal percentage above 0), from, to.
-[[nodiscard]] std::vector<SearchedParameter> curve_parameters(const Situation& situation);
+[[nodiscard]] SearchedParameters curve_parameters(const Situation& situation);
 [[nodiscard]] std::vector<Values> curve_starts(const Situation& situation);
 
 }  // namespace workbench::effects

@@ -33,8 +33,7 @@ class Measured final : public Effect {
                .needs_u = false,
                .recorded = true} {}
 
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     const auto lag = [&s](std::string_view name) {
       return SearchedParameter{.name = name,
                                .unit = "s",
@@ -97,7 +96,7 @@ class Measured final : public Effect {
   void load(Reals p, const LoadSetting& setting, Columns columns) const override {
     const Load* load = find(setting.loads);
     if (load == nullptr || load->values.size() != columns[0].size()) {
-      std::fill(columns[0].begin(), columns[0].end(), 0.0);
+      std::ranges::fill(columns[0], 0.0);
       return;
     }
     ProcessShape shape;
@@ -112,18 +111,16 @@ class Measured final : public Effect {
 
  private:
   [[nodiscard]] const Load* find(std::span<const Load> loads) const {
-    const auto load = std::find_if(loads.begin(), loads.end(), [this](const Load& one) {
-      return one.name == column_;
-    });
+    const auto load = std::ranges::find_if(
+        loads, [this](const Load& one) { return one.name == column_; });
     return load != loads.end() ? &*load : nullptr;
   }
   static std::pair<double, double> range_of(const Load& load) {
-    const auto [low, high] = std::minmax_element(load.values.begin(), load.values.end());
+    const auto [low, high] = std::ranges::minmax_element(load.values);
     return {*low, *high};
   }
   static bool moves(const std::vector<double>& values) {
-    return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) !=
-           values.end();
+    return std::ranges::adjacent_find(values, std::not_equal_to<>()) != values.end();
   }
 
   std::string column_;

@@ -47,8 +47,7 @@ bool sweeps_from(const Situation& s, double start_s) {
 class Ramp final : public Effect {
  public:
   Ramp() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "start",
              .unit = "s",
              .low = 0,

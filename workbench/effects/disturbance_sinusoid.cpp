@@ -26,8 +26,7 @@ constexpr Description kDescription{
 class Sinusoid final : public Effect {
  public:
   Sinusoid() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "period",
              .unit = "s",
              .low = 3 * s.period_s,

@@ -71,8 +71,7 @@ constexpr Description kDescription{
 class Step final : public Effect {
  public:
   Step() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "time",
              .unit = "s",
              .low = 0,

@@ -63,6 +63,8 @@ struct SearchedParameter {
   double resolution = 0;  ///< the interval is no narrower than plus or minus this
 };
 
+using SearchedParameters = std::vector<SearchedParameter>;
+
 /// A parameter that enters linearly: the factor of one column, solved by least squares.
 struct SolvedParameter {
   std::string_view name;
@@ -190,9 +192,7 @@ class Effect {
   [[nodiscard]] std::string_view code() const { return description().code; }
 
   /// Parameters to search on this recording; may be empty.
-  [[nodiscard]] virtual std::vector<SearchedParameter> searched(const Situation&) const {
-    return {};
-  }
+  [[nodiscard]] virtual SearchedParameters searched(const Situation&) const { return {}; }
   /// Parameters that are solved; may be empty. Their names do not depend on data.
   [[nodiscard]] virtual std::span<const SolvedParameter> solved() const { return {}; }
   /// What follows from the searched parameters; empty for most effects.

@@ -18,7 +18,7 @@ constexpr std::size_t kShortestHold = 4;  // samples; the later half has settled
 
 int levels_held(std::span<const double> u) {
   if (u.empty()) return 0;
-  const auto [low, high] = std::minmax_element(u.begin(), u.end());
+  const auto [low, high] = std::ranges::minmax_element(u);
   const double same = effects::same_reading(*low, *high);
   if (effects::held_in(u, same).share < kHeldShare) return 0;
   return count_moves(u, kLeastStep * (*high - *low));
@@ -52,9 +52,8 @@ std::optional<SettledCurve> SettledCurve::seen_in(const Situation& s) {
 }
 
 double SettledCurve::operator()(double u) const {
-  const auto right = std::lower_bound(
-      points_.begin(), points_.end(), u,
-      [](const std::pair<double, double>& point, double at) { return point.first < at; });
+  const auto right =
+      std::ranges::lower_bound(points_, u, {}, &std::pair<double, double>::first);
   if (right == points_.begin()) return right->second;
   if (right == points_.end()) return points_.back().second;
   const auto& [u_left, y_left] = *(right - 1);

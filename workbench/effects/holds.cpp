@@ -86,7 +86,7 @@ Motion motion_outside(std::span<const double> y, std::span<const SampleRange> st
   if (moves.empty()) return {1, 0, 0, 0};
   const auto count = static_cast<double>(moves.size());
   return {1 - count / pairs, turns / count, quantile(moves, 0.5),
-          *std::min_element(moves.begin(), moves.end())};
+          *std::ranges::min_element(moves)};
 }
 
 bool stands_still(std::span<const double> u, const SampleRange& range) {
@@ -131,7 +131,7 @@ Holder who_holds(std::span<const double> u, std::span<const double> y) {
   constexpr double kBusy = 0.5;
   constexpr double kAnswers = 0.8;
   if (ident::find_sensor_hold(u, y).sticks) return Holder::kSensor;
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const auto [low, high] = std::ranges::minmax_element(y);
   const double same = same_reading(*low, *high);
   if (ident::find_storage(y).storage != ident::Storage::kHeld ||
       moves_in_steps(y, same)) {
@@ -213,11 +213,10 @@ Frozen frozen_in(std::span<const double> u, std::span<const double> y) {
   constexpr double kNoise = 0.2;        // of the moves turn back; two thirds if white
   constexpr double kDigits = 8;         // of the last digit, in a usual move
   if (y.size() < kLeastFrozen) return {};
-  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const auto [low, high] = std::ranges::minmax_element(y);
   std::vector<SampleRange> all = standing_still(y, 2, *low, *high);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return length_of(a) > length_of(b);
-  });
+  std::ranges::stable_sort(
+      all, [](const auto& a, const auto& b) { return length_of(a) > length_of(b); });
   std::size_t count = 0;
   for (std::size_t i = 0; i < all.size() && length_of(all[i]) >= kLeastFrozen; ++i) {
     const std::size_t next = i + 1 < all.size() ? length_of(all[i + 1]) : 1;
@@ -226,8 +225,7 @@ Frozen frozen_in(std::span<const double> u, std::span<const double> y) {
   all.resize(count);
   if (all.empty()) return {};
   Frozen out{length_of(all.back()), count, 0, all[0].first, length_of(all[0])};
-  std::sort(all.begin(), all.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::sort(all, [](const auto& a, const auto& b) { return a.first < b.first; });
   const double same = same_reading(*low, *high);
   const Motion motion = motion_outside(y, all, same);
   if (motion.repeats > kMostRepeats || motion.turns < kNoise ||

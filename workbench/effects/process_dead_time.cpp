@@ -87,8 +87,7 @@ class Pipe {
 class DeadTime final : public ShownByMoves {
  public:
   DeadTime() : ShownByMoves(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "dead_time",
              .unit = "s",
              .low = 0,

@@ -26,8 +26,7 @@ constexpr Description kDescription{
 class DirectionalLag final : public Effect {
  public:
   DirectionalLag() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     constexpr double kMost = 20;
     return {{.name = "falling_over_rising",
              .unit = "1",

@@ -23,8 +23,7 @@ constexpr Description kDescription{
 class GainDrift final : public Effect {
  public:
   GainDrift() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "middle",
              .unit = "s",
              .high = s.duration_s(),

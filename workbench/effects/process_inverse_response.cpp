@@ -24,8 +24,7 @@ constexpr Description kDescription{
 class InverseResponse final : public ShownByMoves {
  public:
   InverseResponse() : ShownByMoves(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "opposite_time",
              .unit = "s",
              .low = 0,

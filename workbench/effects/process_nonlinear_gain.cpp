@@ -26,8 +26,7 @@ constexpr Description kDescription{
 class NonlinearGain final : public ShownByMoves {
  public:
   NonlinearGain() : ShownByMoves(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     // Over a tank that runs nearly empty the slope changes a thousandfold.
     constexpr double kMost = 7;
     auto parameters = curve_parameters(s);
@@ -97,7 +96,7 @@ class NonlinearGain final : public ShownByMoves {
     std::vector<double> level(s.samples());
     lag(s.u, s.period_s, s.first_lag_s, s.u[0], level);
     if (s.second_lag_s > 0) lag(level, s.period_s, s.second_lag_s, s.u[0], level);
-    const auto [low, high] = std::minmax_element(level.begin(), level.end());
+    const auto [low, high] = std::ranges::minmax_element(level);
     return *low < *high ? std::pair(*low, *high) : std::pair(s.u_low, s.u_high);
   }
   static bool by_head(Reals p) { return (p[3] > 1.5 && p[3] < 2.5) || p[3] > 3.5; }

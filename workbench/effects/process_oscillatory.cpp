@@ -29,8 +29,7 @@ constexpr Description kDescription{
 class Oscillatory final : public Effect {
  public:
   Oscillatory() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "period",
              .unit = "s",
              .low = 4 * s.period_s,

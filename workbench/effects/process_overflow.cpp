@@ -25,8 +25,7 @@ constexpr Description kDescription{
 class Overflow final : public Effect {
  public:
   Overflow() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "level",
              .unit = "y",
              .low = s.y_low + 0.3 * s.y_span(),

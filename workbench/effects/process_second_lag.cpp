@@ -25,9 +25,8 @@ class SecondLag final : public LagEffect {
   SecondLag() : LagEffect(kDescription, "second_lag") {}
   // As long as the first one may be: of two storages neither need settle within a
   // recording.
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& situation) const override {
-    std::vector<SearchedParameter> out = LagEffect::searched(situation);
+  [[nodiscard]] SearchedParameters searched(const Situation& situation) const override {
+    SearchedParameters out = LagEffect::searched(situation);
     out.front().high = situation.duration_s();
     return out;
   }

@@ -280,7 +280,7 @@ void storages(const ProcessShape& shape, std::span<const double> in, double peri
 
 bool spills(const ProcessShape& shape, std::span<const double> in) {
   return shape.second_lag_s > 0 && std::isfinite(shape.brim) &&
-         *std::max_element(in.begin(), in.end()) > shape.brim;
+         *std::ranges::max_element(in) > shape.brim;
 }
 
 // Without what rings and what goes the wrong way.

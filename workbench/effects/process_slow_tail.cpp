@@ -23,8 +23,7 @@ constexpr Description kDescription{
 class SlowTail final : public Effect {
  public:
   SlowTail() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     constexpr double kMost = 0.9;  // beyond it is a second lag
     // A tail that was not seen to end is a drift.
     constexpr double kLongest = 0.2;  // of the recording

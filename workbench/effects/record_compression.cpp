@@ -159,8 +159,7 @@ constexpr Description kDescription{
 class Compression final : public Effect {
  public:
   Compression() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {
         {.name = "tolerance",
          .unit = "y",

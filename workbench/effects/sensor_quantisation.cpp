@@ -156,8 +156,7 @@ constexpr Description kDescription{
 class Quantisation final : public Effect {
  public:
   Quantisation() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     const double most = std::max(s.y_span(), 1e-12);
     return {{.name = "step", .unit = "y", .high = most, .constant = true, .off = 0.0},
             {.name = "origin",

@@ -155,8 +155,7 @@ constexpr Description kDescription{
 class Spikes final : public Effect {
  public:
   Spikes() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "readings",
              .unit = "1",
              .high = static_cast<double>(s.samples()),

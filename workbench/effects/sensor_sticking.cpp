@@ -32,8 +32,7 @@ constexpr Description kDescription{
 class Sticking final : public Effect {
  public:
   Sticking() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     const double most = std::max(s.y_span(), 1e-12);
     return {{.name = "band",
              .unit = "y",
@@ -119,8 +118,8 @@ class Sticking final : public Effect {
   static std::string evidence_of_frozen(const Situation& s, Reals p) {
     const std::vector<SampleRange> found = stretches(s, p);
     if (found.empty()) return {};
-    const SampleRange& longest = *std::max_element(
-        found.begin(), found.end(), [](const SampleRange& a, const SampleRange& b) {
+    const SampleRange& longest =
+        *std::ranges::max_element(found, [](const SampleRange& a, const SampleRange& b) {
           return a.last - a.first < b.last - b.first;
         });
     const auto at = [&s](std::size_t k) {

@@ -83,8 +83,8 @@ Situation situation_of(std::span<const double> u, std::span<const double> y,
   s.period_s = period_s;
   s.u = u;
   s.y = y;
-  const auto [u_low, u_high] = std::minmax_element(u.begin(), u.end());
-  const auto [y_low, y_high] = std::minmax_element(y.begin(), y.end());
+  const auto [u_low, u_high] = std::ranges::minmax_element(u);
+  const auto [y_low, y_high] = std::ranges::minmax_element(y);
   s.u_low = *u_low;
   s.u_high = *u_high;
   s.y_low = *y_low;
@@ -95,7 +95,7 @@ Situation situation_of(std::span<const double> u, std::span<const double> y,
 double quantile(std::span<const double> values, double share) {
   std::vector<double> sorted(values.begin(), values.end());
   if (sorted.empty()) return 0;
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
@@ -277,7 +277,7 @@ double step_of_rounded(std::span<const double> levels, std::span<const double> g
                        std::span<const double> signal) {
   constexpr std::size_t kFewest = 8;
   constexpr double kComesBack = 1.5;  // moves a level
-  const auto [least, most] = std::minmax_element(gaps.begin(), gaps.end());
+  const auto [least, most] = std::ranges::minmax_element(gaps);
   const double unit = last_decimal(levels, *least / 4);
   if (levels.size() < kFewest || unit == 0 || *least < 1.5 * unit ||
       *most > *least + 1.5 * unit) {
@@ -293,7 +293,7 @@ double step_of_rounded(std::span<const double> levels, std::span<const double> g
 
 Lattice lattice_of(std::span<const double> signal) {
   std::vector<double> values(signal.begin(), signal.end());
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   if (values.empty()) return {};
   const double span = values.back() - values.front();
   if (!(span > 0)) return {};

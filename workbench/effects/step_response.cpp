@@ -104,7 +104,7 @@ StepResponse step_response_of(std::span<const double> u, std::span<const double>
 double wrong_way(const StepResponse& response) {
   if (response.draws.empty()) return 0;
   const std::vector<double>& likely = response.draws[0];
-  const auto [low, high] = std::minmax_element(likely.begin(), likely.end());
+  const auto [low, high] = std::ranges::minmax_element(likely);
   // The larger excursion is where it goes; the other one counts if it comes first.
   const bool rises = *high > -*low;
   const auto goal = rises ? high : low;
@@ -119,7 +119,7 @@ double wrong_way(const StepResponse& response) {
 double swing_back(const StepResponse& response) {
   if (response.draws.empty()) return 0;
   const std::vector<double>& likely = response.draws[0];
-  const auto [low, high] = std::minmax_element(likely.begin(), likely.end());
+  const auto [low, high] = std::ranges::minmax_element(likely);
   const bool rises = *high > -*low;
   const auto peak = rises ? high : low;
   const auto trough =

@@ -24,8 +24,7 @@ constexpr Description kDescription{
 class Backlash final : public Effect {
  public:
   Backlash() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "deadband",
              .unit = "u",
              .low = 0,

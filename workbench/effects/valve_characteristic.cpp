@@ -30,9 +30,8 @@ constexpr Description kDescription{
 class Characteristic final : public ShownByMoves {
  public:
   Characteristic() : ShownByMoves(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
-    std::vector<SearchedParameter> out = curve_parameters(s);
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
+    SearchedParameters out = curve_parameters(s);
     // What passes e⁻⁸ of the usual flow passes none. Of the curvature alone objection()
     // says how much is too much.
     out[0].low = -kMostBend;

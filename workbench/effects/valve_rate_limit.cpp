@@ -29,8 +29,7 @@ constexpr double kFarthestStart = 2;  // spans of u
 class RateLimit final : public Effect {
  public:
   RateLimit() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     const double free = free_rate(s);
     const double slowest = slowest_useful(s);
     const auto rate = [&](std::string_view name) {

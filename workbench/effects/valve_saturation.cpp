@@ -26,8 +26,7 @@ constexpr Description kDescription{
 class Saturation final : public Effect {
  public:
   Saturation() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     return {{.name = "lower_limit",
              .unit = "u",
              .low = s.u_low,

@@ -26,8 +26,7 @@ constexpr Description kDescription{
 class Stiction final : public Effect {
  public:
   Stiction() : Effect(kDescription) {}
-  [[nodiscard]] std::vector<SearchedParameter> searched(
-      const Situation& s) const override {
+  [[nodiscard]] SearchedParameters searched(const Situation& s) const override {
     const auto width = [&s](std::string_view name, std::optional<double> off) {
       return SearchedParameter{.name = name,
                                .unit = "u",
@@ -99,7 +98,7 @@ class Stiction final : public Effect {
                                   Reals lows) const override {
     constexpr double kHeld = 0.01;  // of the span of u
     constexpr double kSlow = 2;     // samples
-    const double least = *std::max_element(lows.begin(), lows.end());
+    const double least = *std::ranges::max_element(lows);
     if (p[3] <= kSlow * s.period_s || least > kHeld * s.u_span()) return {};
     return filled(
         "its stick band may be as narrow as {0}, and a stem that takes {1} s to follow u "
