@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from . import plots
 from .answer import Answer, Parameter, fields_of, paragraph, parameters_of, table
 from .recording import Recording, Samples
 
@@ -157,15 +158,11 @@ class Comparison(Answer):
 
     def plot(self) -> npt.NDArray[np.object_]:
         """Measured and simulated output above the residual. Returns the axes."""
-        from . import plots
-
         return plots.comparison(self)
 
     def plot_views(self) -> npt.NDArray[np.object_]:
         """The mean residual over each coordinate, and where the error lies. Returns the
         axes."""
-        from . import plots
-
         return plots.views(self)
 
     def __str__(self) -> str:
@@ -398,8 +395,6 @@ class Ladder(Answer):
 
     def plot(self) -> npt.NDArray[np.object_]:
         """The falling error above the noise. Returns the axes."""
-        from . import plots
-
         told = _told(self.steps)
         return plots.falling_error([name for name, _ in told],
                                    [one.rmse_validation for _, one in told],

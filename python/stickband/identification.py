@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
+from . import _core, plots
 from .answer import Answer, PerStroke, fields_of, paragraph, table
 from .recording import Samples
 from .sources import recordings_of
@@ -173,14 +173,10 @@ class Identification(Answer):
     def plot(self) -> npt.NDArray[np.object_]:
         """u with the stem, y with the simulations, and the residual, over time. Returns
         the axes."""
-        from . import plots
-
         return plots.identification(self)
 
     def plot_valve(self) -> npt.NDArray[np.object_]:
         """The stem over u, and y over u. Returns the axes."""
-        from . import plots
-
         return plots.valve(self)
 
     def __str__(self) -> str:

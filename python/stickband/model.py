@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Sequence, Union
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
+from . import _core, plots
 from .answer import Answer, Parameter, fields_of, parameters_of, paragraph, table
 from .errors import WrongUsage
 from .explanation import (Comparison, Explanation, Ladder, RecordingFit, lines_of,
@@ -248,8 +248,6 @@ class Model(Answer):
 
     def plot(self) -> npt.NDArray[np.object_]:
         """How the error fell, step by step. Returns the axes."""
-        from . import plots
-
         steps = [(one.effect, one.rmse_validation_after) for one in self.history]
         return plots.falling_error([name for name, _ in steps],
                                    [float("nan") if e is None else e for _, e in steps], None)

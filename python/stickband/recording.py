@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, Any, Hashable, Iterable, Mapping, NoReturn, Se
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
+from . import _core, plots
 from .errors import BadInput, WrongUsage
 
 if TYPE_CHECKING:
     import pandas as pd
-    from matplotlib.axes import Axes
 
 Samples = npt.NDArray[np.float64]
 Path = Union[str, "os.PathLike[str]"]
@@ -40,6 +39,12 @@ def samples_of(name: str, values: npt.ArrayLike) -> Samples:
         raise BadInput(f"array {name}: expected numbers, found {kind}; convert them first, "
                        "as pandas.to_numeric() does", f"array {name}", 0, 0, "numbers",
                        str(kind), "convert them first") from error
+
+
+def _require(frame: pd.DataFrame, column: Hashable) -> None:
+    if column not in frame.columns:
+        raise WrongUsage(f"no column '{column}' in the frame: it has "
+                         + ", ".join(map(str, frame.columns)))
 
 
 def _refuse_ambiguous(frame: str, key: str, fitting: Sequence[object]) -> NoReturn:
@@ -189,9 +194,7 @@ class Recording:
 
         def column(key: str, given: Hashable) -> Any:
             if given != "":
-                if given not in frame.columns:
-                    raise WrongUsage(f"no column '{given}' in the frame: it has "
-                                     + ", ".join(map(str, frame.columns)))
+                _require(frame, given)
                 return given
             fitting = called(key)
             if len(fitting) > 1:
@@ -230,9 +233,7 @@ class Recording:
             wanted = [other for other in frame.columns if other not in (*used, *times)
                       and getattr(frame[other].dtype, "kind", "") in "biuf"]
         for load in wanted:
-            if load not in frame.columns:
-                raise WrongUsage(f"no column '{load}' in the frame: it has "
-                                 + ", ".join(map(str, frame.columns)))
+            _require(frame, load)
         return cls(**taken, ts=ts, name=name, start=start,
                    loads={str(load): frame[load].to_numpy() for load in wanted})
 
@@ -335,8 +336,6 @@ class Recording:
 
     def plot(self) -> npt.NDArray[np.object_]:
         """y with the setpoint above u, over time. Returns the axes."""
-        from . import plots
-
         return plots.recording(self)
 
     def __str__(self) -> str:
