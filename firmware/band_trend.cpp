@@ -124,8 +124,8 @@ Trend BandTrend::fit(std::int32_t today) const {
     week.at += (-age - week.at) / week.days;
     week.band += (static_cast<double>(entry.mean) - week.band) / week.days;
   }
-  const auto count = static_cast<int>(std::count_if(
-      weeks.begin(), weeks.end(), [](const Week& week) { return week.days > 0; }));
+  const auto count = static_cast<int>(
+      std::ranges::count_if(weeks, [](const Week& week) { return week.days > 0; }));
   if (count < kFewestWeeks) return {};
   const Line line = line_through(weeks);
   double error = 0;

@@ -64,8 +64,7 @@ void Daemon::build_routes() {
         const wire::FrameSignal& signal = source->signal;
         routes_.push_back({source->bus, signal.ignored,
                            key_of(signal.frame_id, signal.extended), k, role});
-        if (std::find(ignored_.begin(), ignored_.end(), signal.ignored) ==
-            ignored_.end()) {
+        if (std::ranges::find(ignored_, signal.ignored) == ignored_.end()) {
           ignored_.push_back(signal.ignored);
         }
       } else {
@@ -73,7 +72,7 @@ void Daemon::build_routes() {
       }
     }
   }
-  std::sort(routes_.begin(), routes_.end(), [](const Route& a, const Route& b) {
+  std::ranges::sort(routes_, [](const Route& a, const Route& b) {
     return std::tie(a.bus, a.ignored, a.key, a.loop, a.role) <
            std::tie(b.bus, b.ignored, b.key, b.loop, b.role);
   });
@@ -298,7 +297,7 @@ const Outputs& Daemon::step(const Now& now, const Inputs& inputs) {
     started_ = true;
     start_us_ = now.us;
     refreshed_us_ = now.us - kRefreshEvery_us;
-    std::fill(sent_us_.begin(), sent_us_.end(), now.us - kBroadcastApart_us);
+    std::ranges::fill(sent_us_, now.us - kBroadcastApart_us);
   }
   frame_count_ = row_count_ = 0;
   if (!first) notice_count_ = 0;

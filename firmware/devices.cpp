@@ -54,9 +54,8 @@ class ModbusLinks {
                                           std::int64_t period_us) {
     const hal::ModbusAddress address{source.host, source.port, source.device, source.baud,
                                      source.parity};
-    auto link = std::find_if(links_.begin(), links_.end(), [&](const auto& known) {
-      return known->address() == address;
-    });
+    auto link = std::ranges::find_if(
+        links_, [&](const auto& known) { return known->address() == address; });
     if (link == links_.end()) {
       link = links_.insert(link, std::make_shared<hal::ModbusLink>(address));
     }
@@ -201,29 +200,24 @@ std::string Devices::open_new(const Devices& old) {
   struct IsOld {
     const config::Gateway& configuration;
     bool operator()(const config::Bus& bus) const {
-      return std::any_of(configuration.buses.begin(), configuration.buses.end(),
-                         [&](const config::Bus& b) {
-                           return b.backend == bus.backend && b.port == bus.port &&
-                                  b.interface == bus.interface && b.path == bus.path;
-                         });
+      return std::ranges::any_of(configuration.buses, [&](const config::Bus& b) {
+        return b.backend == bus.backend && b.port == bus.port &&
+               b.interface == bus.interface && b.path == bus.path;
+      });
     }
     bool operator()(const config::Flag& flag) const {
-      return std::any_of(configuration.loops.begin(), configuration.loops.end(),
-                         [&](const config::Loop& l) {
-                           return l.flag && l.flag->chip == flag.chip &&
-                                  l.flag->line == flag.line;
-                         });
+      return std::ranges::any_of(configuration.loops, [&](const config::Loop& l) {
+        return l.flag && l.flag->chip == flag.chip && l.flag->line == flag.line;
+      });
     }
     // Converters can be opened twice; one that is away now is no new fault.
     bool operator()(const config::Source& source) const {
-      return std::any_of(
-          configuration.loops.begin(), configuration.loops.end(),
-          [&](const config::Loop& l) {
-            return std::ranges::any_of(sources_of(l), [&](const config::Source* old) {
-              return old && old->kind == source.kind && old->name == source.name &&
-                     old->channel == source.channel && old->index == source.index;
-            });
-          });
+      return std::ranges::any_of(configuration.loops, [&](const config::Loop& l) {
+        return std::ranges::any_of(sources_of(l), [&](const config::Source* old) {
+          return old && old->kind == source.kind && old->name == source.name &&
+                 old->channel == source.channel && old->index == source.index;
+        });
+      });
     }
   };
   return open(IsOld{old.configuration_});

@@ -135,7 +135,7 @@ bool HistoryFile::read_header() {
   }
   for (std::size_t k = 0; k < known_.size(); ++k) {
     const auto tag = in.bytes(wire::kTagBytes);
-    const auto end = std::find(tag.begin(), tag.end(), std::uint8_t{0});
+    const auto end = std::ranges::find(tag, std::uint8_t{0});
     known_[k] = {static_cast<int>(k) + 1, std::string(tag.begin(), end),
                  static_cast<std::uint32_t>(in.number(4))};
   }
@@ -165,7 +165,7 @@ bool HistoryFile::clear(int loop) const {
 
 void HistoryFile::read(int loop, std::size_t offset, std::span<std::uint8_t> out) const {
   if (!read_all(file_.get(), out, begin_of(loop) + static_cast<std::int64_t>(offset))) {
-    std::fill(out.begin(), out.end(), std::uint8_t{0});
+    std::ranges::fill(out, std::uint8_t{0});
   }
 }
 

@@ -90,8 +90,7 @@ void LoopInput::take_value(Role role, std::int64_t t_us, double value) {
     resampler_.take(static_cast<Channel>(role), t_us, value);
   } else if (role == Role::kMode) {
     const auto& automatic = loop_.auto_values;
-    const bool on =
-        std::find(automatic.begin(), automatic.end(), value) != automatic.end();
+    const bool on = std::ranges::find(automatic, value) != automatic.end();
     mode_ = on ? wire::LoopMode::kAutomatic : wire::LoopMode::kManual;
   }
 }

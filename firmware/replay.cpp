@@ -82,7 +82,7 @@ bool Replay::open_logs(const std::string& log) {
     const std::string wanted = name_in_log(configuration_.buses[0]);
     std::string all;
     for (const std::string& name : found) all += (all.empty() ? "" : ", ") + name;
-    if (std::find(found.begin(), found.end(), wanted) == found.end()) {
+    if (std::ranges::find(found, wanted) == found.end()) {
       error_ = log + ": expected frames of " + wanted + " or of one interface, found " +
                all + "; name the one in `interface` of [bus." +
                configuration_.buses[0].name + "]";
@@ -101,7 +101,7 @@ bool Replay::play(const std::string& log, const Listener& listener) {
   const auto has_input = [](const config::Loop& loop) {
     return !is_beside_can(&loop.u) && !is_beside_can(&loop.y);
   };
-  if (std::none_of(configuration_.loops.begin(), configuration_.loops.end(), has_input)) {
+  if (std::ranges::none_of(configuration_.loops, has_input)) {
     error_ = sources_beside_can(configuration_).front();
     return false;
   }

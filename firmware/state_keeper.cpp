@@ -38,8 +38,8 @@ StateKeeper::StateKeeper(const config::Gateway& gateway, Log& log)
       log_(log),
       sysfs_root_(gateway.sysfs_root),
       period_us_(std::llround(gateway.state->period_s * 1e6)),
-      slow_(std::any_of(
-          gateway.loops.begin(), gateway.loops.end(),
+      slow_(std::ranges::any_of(
+          gateway.loops,
           [](const config::Loop& loop) { return loop.sample_period_s >= kSlow_s; })),
       pause_us_(period_us_) {}
 

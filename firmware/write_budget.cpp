@@ -49,10 +49,9 @@ bool WriteBudget::may_write(Written file, Haste haste, std::int64_t now_us) {
   if (own.haste == Haste::kNone) own.since_us = now_us;
   own.haste = haste;
   if (credit_ == 0 || !ripe(own, now_us)) return false;
-  const bool first =
-      std::none_of(waiting_.begin(), waiting_.end(), [&](const Waiting& other) {
-        return other.since_us < own.since_us && ripe(other, now_us);
-      });
+  const bool first = std::ranges::none_of(waiting_, [&](const Waiting& other) {
+    return other.since_us < own.since_us && ripe(other, now_us);
+  });
   if (!first) return false;
   --credit_;
   own.haste = Haste::kNone;

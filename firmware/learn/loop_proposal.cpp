@@ -270,7 +270,7 @@ std::vector<LoopProposal> propose_loops(const std::vector<SeenSignal>& signals) 
       if (const auto proposal = examine(signals, u, y)) found.push_back(*proposal);
     }
   }
-  std::sort(found.begin(), found.end(), [](const LoopProposal& a, const LoopProposal& b) {
+  std::ranges::sort(found, [](const LoopProposal& a, const LoopProposal& b) {
     return a.score > b.score;
   });
   std::vector<bool> taken(signals.size());

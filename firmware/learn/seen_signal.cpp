@@ -36,7 +36,7 @@ bool read_values(const SurveyedFrame& from, double start_us, SeenSignal& out) {
     out.value.push_back(value);
   }
   if (out.value.empty()) return false;
-  const auto [low, high] = std::minmax_element(out.value.begin(), out.value.end());
+  const auto [low, high] = std::ranges::minmax_element(out.value);
   out.low = *low;
   out.high = *high;
   out.bus = from.bus;
@@ -54,7 +54,7 @@ bool read_values(const SurveyedFrame& from, double start_us, SeenSignal& out) {
 double roughness(const std::vector<double>& value) {
   constexpr double kNone = 2;
   if (value.size() < kFewest) return kNone;
-  const auto [low, high] = std::minmax_element(value.begin(), value.end());
+  const auto [low, high] = std::ranges::minmax_element(value);
   const double range = *high - *low;
   if (!(range > 0)) return kNone;
   const std::set<double> different(value.begin(), value.end());
@@ -162,8 +162,8 @@ std::vector<SeenSignal> guessed_signals(const FrameSurvey& survey) {
         if (const auto guess = guess_at(*frame, byte, order)) guesses.push_back(*guess);
       }
     }
-    std::sort(guesses.begin(), guesses.end(),
-              [](const Guess& a, const Guess& b) { return a.rough < b.rough; });
+    std::ranges::sort(guesses,
+                      [](const Guess& a, const Guess& b) { return a.rough < b.rough; });
     std::array<bool, wire::kMaxFdLength + 1> taken{};
     const std::size_t before = out.size();
     for (const Guess& guess : guesses) {

@@ -32,7 +32,7 @@ std::string upper(std::string_view text) {
 // A word of two letters has to stand alone.
 bool named(std::string_view name, Words words) {
   const std::string text = upper(name);
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+  return std::ranges::any_of(words, [&](std::string_view word) {
     const std::size_t at = text.find(word);
     if (at == std::string::npos) return false;
     const std::size_t end = at + word.size();
@@ -47,8 +47,8 @@ std::string loop_of(std::string_view title) {
   std::string run;
   const auto close = [&] {
     for (const Words words : {Words(kOutputs), Words(kMeasured), Words(kSetpoints)}) {
-      const auto part = std::find_if(words.begin(), words.end(),
-                                     [&](auto word) { return run.ends_with(word); });
+      const auto part =
+          std::ranges::find_if(words, [&](auto word) { return run.ends_with(word); });
       if (part == words.end()) continue;
       run.resize(run.size() - part->size());
       break;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "config/dbc_storage.hpp"
 #include "wire/dbc.hpp"

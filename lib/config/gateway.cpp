@@ -201,8 +201,8 @@ void read_ne107(TableReader& reader, std::string_view key, wire::Ne107& status) 
   using wire::Ne107;
   constexpr std::array kStatus = {Ne107::kNormal, Ne107::kFailure, Ne107::kCheckFunction,
                                   Ne107::kOffSpec, Ne107::kMaintenanceRequired};
-  auto at = static_cast<std::size_t>(std::find(kStatus.begin(), kStatus.end(), status) -
-                                     kStatus.begin());
+  auto at =
+      static_cast<std::size_t>(std::ranges::find(kStatus, status) - kStatus.begin());
   reader.read_choice(key, at, {"none", "F", "C", "S", "M"});
   status = kStatus[at];
 }

@@ -25,7 +25,7 @@ std::string character_at(const std::string& text, std::size_t at) {
 }  // namespace
 
 std::string problem_of_tag(const std::string& tag) {
-  const auto odd = std::find_if_not(tag.begin(), tag.end(), is_plain);
+  const auto odd = std::ranges::find_if_not(tag, is_plain);
   if (odd != tag.end()) {
     const auto at = static_cast<std::size_t>(odd - tag.begin());
     return "expected ASCII characters without blanks and quotes, found " +

@@ -41,7 +41,7 @@ bool is_decimal_comma(std::string_view value) {
 }
 
 bool is_text(std::string_view value) {
-  return std::any_of(value.begin(), value.end(), [](char c) {
+  return std::ranges::any_of(value, [](char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 ||
            static_cast<unsigned char>(c) >= 0x80;
   });
@@ -94,7 +94,7 @@ std::string toml_mistake(std::string_view text, int line, std::string_view said)
   const std::string value(value_of(line_of(text, line)));
   if (is_decimal_comma(value)) {
     std::string point = value;
-    std::replace(point.begin(), point.end(), ',', '.');
+    std::ranges::replace(point, ',', '.');
     return "expected a number with a decimal point, found " + value + "; write " + point;
   }
   if (value == "True" || value == "False" || value == "TRUE" || value == "FALSE") {

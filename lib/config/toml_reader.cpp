@@ -51,8 +51,8 @@ void Complaints::add(int line, const std::string& key, const std::string& messag
 
 void Complaints::throw_if_any() {
   if (lines_.empty()) return;
-  std::stable_sort(lines_.begin(), lines_.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::stable_sort(
+      lines_, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string text;
   for (const auto& line : lines_) text += (text.empty() ? "" : "\n") + line.second;
   throw ConfigError(text);
@@ -200,7 +200,7 @@ void TableReader::read_choice(std::string_view key, std::size_t& value,
   const toml::node* node = find(key);
   if (!node) return;
   const auto text = node->value_exact<std::string>();
-  const auto at = text ? std::find(choices.begin(), choices.end(), *text) : choices.end();
+  const auto at = text ? std::ranges::find(choices, *text) : choices.end();
   if (at != choices.end()) {
     value = static_cast<std::size_t>(at - choices.begin());
     return;
@@ -231,9 +231,9 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) {
 
 void TableReader::refuse_unknown() {
   for (const auto& [key, node] : table_) {
-    if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
+    if (std::ranges::find(known_, key.str()) != known_.end()) continue;
     std::vector<std::string> names = known_;
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;

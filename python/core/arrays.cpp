@@ -21,8 +21,8 @@ std::span<const double> samples_of(const Doubles& array, const std::string& name
 }
 
 void refuse_what_is_not_finite(std::span<const double> values, const std::string& name) {
-  const auto bad = std::find_if(values.begin(), values.end(),
-                                [](double value) { return !std::isfinite(value); });
+  const auto bad =
+      std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
   if (bad == values.end()) return;
   throw workbench::InputError(
       "array " + name, 0, 0, "finite numbers",

@@ -1,7 +1,6 @@
 #include "workbench/analysis/alignment.hpp"
 
 #include <cstdlib>
-#include <span>
 
 #include "ident/signal/controller_action.hpp"
 #include "workbench/analysis/analysis.hpp"
@@ -41,7 +40,8 @@ int samples_late(const RecordingView& recording) {
     if (late == 0) continue;
     const auto action = law(late);
     if (!(action.r_squared > sharpest)) continue;
-    // Beside a law that is no controller's a blurred one of its neighbours is none, either.
+    // Beside a law that is no controller's a blurred one of its neighbours is none,
+    // either.
     best = action.proportional * action.integral > 0 ? late : 0;
     sharpest = action.r_squared;
   }

@@ -34,9 +34,9 @@ Strokes told_by_most(const Windows& results, Strokes Identification::*strokes) {
 // The cause that more than half of the windows name.
 ident::Cause common_cause(const Windows& results) {
   for (const Identification* one : results) {
-    const auto votes = std::count_if(
-        results.begin(), results.end(),
-        [one](const Identification* other) { return other->cause == one->cause; });
+    const auto votes = std::ranges::count_if(results, [one](const Identification* other) {
+      return other->cause == one->cause;
+    });
     if (2 * static_cast<std::size_t>(votes) > results.size()) return one->cause;
   }
   return ident::Cause::kUnknown;
@@ -126,11 +126,11 @@ void Analysis::vote(const std::vector<Identification>& results) {
   for (const Identification* result : agreeing)
     bands.push_back(result->stick_band.mean());
   const double middle = median(bands);
-  const auto nearest = std::min_element(agreeing.begin(), agreeing.end(),
-                                        [middle](const auto* a, const auto* b) {
-                                          return std::abs(a->stick_band.mean() - middle) <
-                                                 std::abs(b->stick_band.mean() - middle);
-                                        });
+  const auto nearest =
+      std::ranges::min_element(agreeing, [middle](const auto* a, const auto* b) {
+        return std::abs(a->stick_band.mean() - middle) <
+               std::abs(b->stick_band.mean() - middle);
+      });
   shown_ = static_cast<std::size_t>(*nearest - results.data());
   result_ = results[shown_];
   result_.cause = common_cause(agreeing);

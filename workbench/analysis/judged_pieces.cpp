@@ -43,8 +43,7 @@ JudgedPieces judged_pieces(const RecordingView& recording) {
   const auto by_length = [&length](const SampleRange& a, const SampleRange& b) {
     return length(a) < length(b);
   };
-  const std::size_t longest =
-      length(*std::max_element(kept.begin(), kept.end(), by_length));
+  const std::size_t longest = length(*std::ranges::max_element(kept, by_length));
   const std::size_t fewest =
       std::min(longest, std::max(longest / kShortest, Identifier::kFewestSamples));
   std::vector<SampleRange> dropped;

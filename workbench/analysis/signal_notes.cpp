@@ -1,7 +1,6 @@
 #include "workbench/analysis/signal_notes.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <span>
 #include <utility>
 
@@ -15,8 +14,7 @@ namespace workbench {
 namespace {
 
 bool never_moves(std::span<const double> values) {
-  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) ==
-         values.end();
+  return std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end();
 }
 
 // What a straight line of u leaves of y, a share of its squares; y `after` samples later.

@@ -29,7 +29,7 @@ std::size_t start_up_end(std::span<const double> u, std::span<const double> y) {
   const std::size_t half = u.size() / 2;
   if (half < Identifier::kFewestSamples) return 0;
   const std::span<const double> late = u.subspan(half);
-  const auto [low, high] = std::minmax_element(late.begin(), late.end());
+  const auto [low, high] = std::ranges::minmax_element(late);
   const double swing = *high - *low;
   const double middle = (*high + *low) / 2;
   const auto off = [middle](double value) { return std::abs(value - middle); };

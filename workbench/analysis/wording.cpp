@@ -178,7 +178,7 @@ std::string duration(double seconds) {
 }
 
 double span_of(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto [low, high] = std::ranges::minmax_element(values);
   return *high - *low;
 }
 

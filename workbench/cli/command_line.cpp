@@ -90,7 +90,7 @@ std::string html_hint(std::string_view what, const std::vector<char*>& words) {
   const auto is_page = [](const char* word) {
     return std::string_view(word).ends_with(".html");
   };
-  const auto page = std::find_if(words.begin(), words.end(), is_page);
+  const auto page = std::ranges::find_if(words, is_page);
   if (page == words.end() || what.find("not expected: -o") == std::string_view::npos) {
     return {};
   }

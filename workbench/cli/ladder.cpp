@@ -57,11 +57,10 @@ std::string why_it_ended(const LadderResult& result, bool time_was_up,
 std::vector<Candidate> never_exercised(const LadderResult& result) {
   std::vector<Candidate> idle;
   for (const Candidate& c : result.last.candidates) {
-    const bool may_be = std::any_of(
-        result.steps.begin(), result.steps.end(), [&](const LadderStep& step) {
-          const std::vector<std::string>& group = step.indistinguishable_from;
-          return std::find(group.begin(), group.end(), c.effect) != group.end();
-        });
+    const bool may_be = std::ranges::any_of(result.steps, [&](const LadderStep& step) {
+      const std::vector<std::string>& group = step.indistinguishable_from;
+      return std::ranges::find(group, c.effect) != group.end();
+    });
     if (c.status == CandidateStatus::kNotExcited && !may_be) idle.push_back(c);
   }
   return idle;

@@ -1,7 +1,6 @@
 #include "workbench/cli/ladder_steps.hpp"
 
 #include <set>
-#include <utility>
 
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/model_options.hpp"

@@ -59,9 +59,8 @@ Command command_of(const CLI::App& app) {
       continue;
     }
     const std::string& title = option->get_group();
-    auto group =
-        std::find_if(command.options.begin(), command.options.end(),
-                     [&](const EntryGroup& known) { return known.title == title; });
+    auto group = std::ranges::find_if(
+        command.options, [&](const EntryGroup& known) { return known.title == title; });
     if (group == command.options.end()) {
       group = command.options.insert(group, EntryGroup{title, {}});
     }

@@ -67,7 +67,7 @@ bool is_count(std::span<const double> values) {
 std::vector<std::string> names_of_moving(const std::vector<Load>& loads) {
   std::vector<std::string> out;
   for (const Load& load : loads) {
-    const auto [low, high] = std::minmax_element(load.values.begin(), load.values.end());
+    const auto [low, high] = std::ranges::minmax_element(load.values);
     const bool moves = low != high && *low < *high;
     const bool wanted = part_hinted(column_name(load.name).pieces) == Part::kSp;
     if (moves && !wanted && !is_count(load.values)) out.push_back(load.name);

@@ -54,7 +54,7 @@ OutputLimit limit_at(std::span<const double> u, double level, double span, bool 
 
 std::vector<OutputLimit> limits_of_output(std::span<const double> u) {
   if (u.empty()) return {};
-  const auto [low, high] = std::minmax_element(u.begin(), u.end());
+  const auto [low, high] = std::ranges::minmax_element(u);
   const double span = *high - *low;
   if (!(span > 0) || !moves_between(u, *low, *high)) return {};
   std::vector<OutputLimit> out = {limit_at(u, *low, span, false),

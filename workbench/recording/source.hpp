@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "workbench/recording/csv.hpp"
-#include "workbench/recording/input_error.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {

@@ -98,7 +98,7 @@ bool overlap(std::vector<Run> runs) {
 std::size_t rows_astray(const std::vector<double>& t) {
   std::vector<double> ends;  // of the rising rows of each length, the lowest last one
   for (const double time : t) {
-    const auto at = std::upper_bound(ends.begin(), ends.end(), time);
+    const auto at = std::ranges::upper_bound(ends, time);
     if (at == ends.end()) {
       ends.push_back(time);
     } else {

@@ -154,9 +154,7 @@ std::string path_figure(const ReportData& data) {
   trace("physical valve, its stem", Ink::kValve, s.stem, Stroke::kFine);
   if (!s.y_two_path.empty()) {
     const StemScale scale = stem_scale(r.model, s);
-    const auto extremes = std::minmax_element(s.u.begin(), s.u.end());
-    const double low = *extremes.first;
-    const double high = *extremes.second;
+    const auto [low, high] = std::ranges::minmax(s.u);
     const auto path = [&](const char* label, const ident::Path<double>& p,
                           Stroke stroke) {
       PlotLine line{label, Ink::kTwoPath, {}, {}, stroke, false};

@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "workbench/analysis/wording.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/svg_plot.hpp"
@@ -110,7 +109,7 @@ std::string step_name(const std::string& effect) {
   if (title.size() <= kRoom) return (removed ? "without\n" : "+ ") + title;
   // The last word of a code is shorter.
   std::string name = code.substr(code.find('.') + 1);
-  std::replace(name.begin(), name.end(), '_', ' ');
+  std::ranges::replace(name, '_', ' ');
   return line_break_near_middle((removed ? "without " : "+ ") + name);
 }
 

@@ -275,9 +275,9 @@ std::string model_tiles(const ModelReport& report) {
            "from u alone, free simulation of all samples") +
       tile("Validation error", number(now, 3), in_units(report, refitted, noise));
   const std::vector<HistoryStep>& history = report.model.history;
-  const bool comparable = std::all_of(
-      history.begin(), history.end(),
-      [&](const HistoryStep& step) { return step.recording == report.recording.name; });
+  const bool comparable = std::ranges::all_of(history, [&](const HistoryStep& step) {
+    return step.recording == report.recording.name;
+  });
   if (history.size() > 1 && comparable && history.front().rmse_validation_after > 0) {
     const double start = history.front().rmse_validation_after;
     out += tile("Since the start", fall(start, history.back().rmse_validation_after),

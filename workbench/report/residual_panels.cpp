@@ -125,7 +125,7 @@ void tell_time(const Recording& recording, Plot& plot) {
   if (recording.start.empty()) return;
   constexpr std::size_t kToTheMinute = 16;
   std::string start = recording.start.substr(0, kToTheMinute);
-  std::replace(start.begin(), start.end(), 'T', ' ');
+  std::ranges::replace(start, 'T', ' ');
   plot.x_label = filled("time, {0} from {1}", {plot.x_label.substr(kTime.size()), start});
 }
 
@@ -186,8 +186,8 @@ std::string residual_panels(const ModelReport& report) {
     }
   }
   for (const ViewCurve& curve : report.comparison.views) {
-    const bool shown = std::any_of(panels.begin(), panels.end(),
-                                   [&](const Panel& p) { return p.curve == &curve; });
+    const bool shown =
+        std::ranges::any_of(panels, [&](const Panel& p) { return p.curve == &curve; });
     if (!shown && !curve.position.empty()) panels.push_back({&curve, nullptr});
   }
   std::string out;

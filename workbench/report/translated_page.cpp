@@ -20,9 +20,8 @@ std::string plain(std::string_view html) {
       {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&#39;", '\''}}};
   std::string out;
   while (!html.empty()) {
-    const auto* const name =
-        std::find_if(kNames.begin(), kNames.end(),
-                     [&](const auto& known) { return html.starts_with(known.first); });
+    const auto* const name = std::ranges::find_if(
+        kNames, [&](const auto& known) { return html.starts_with(known.first); });
     out += name == kNames.end() ? html.front() : name->second;
     html.remove_prefix(name == kNames.end() ? 1 : name->first.size());
   }
@@ -45,7 +44,7 @@ std::string tag_in(std::string_view tag, const Texts& texts) {
     const std::size_t blank = tag.rfind(' ', equals);
     const std::string_view name =
         blank == std::string_view::npos ? "" : tag.substr(blank + 1, equals - blank - 1);
-    const bool read = std::find(kRead.begin(), kRead.end(), name) != kRead.end();
+    const bool read = std::ranges::find(kRead, name) != kRead.end();
     out += tag.substr(0, begin);
     out += read ? said(tag.substr(begin, end - begin), texts)
                 : std::string(tag.substr(begin, end - begin));

@@ -20,8 +20,7 @@ nlohmann::json parse(const std::string& text, const std::string& path) {
     const std::size_t at = std::min(error.byte, text.size());
     const std::string_view before(text.data(), at > 0 ? at - 1 : 0);
     const std::size_t line_start = before.find_last_of('\n') + 1;
-    const auto line =
-        static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1;
     throw InputError(path, line, before.size() - line_start + 1, "JSON",
                      text.empty() ? "an empty file" : "something else", kAdvice);
   }

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "workbench/report/figures.hpp"
-#include "workbench/report/model_figures.hpp"
 
 namespace workbench {
 

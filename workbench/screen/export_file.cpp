@@ -28,7 +28,7 @@ ColumnNames names_of(const TagLoop& loop, const ReadOptions& options) {
 }
 
 void sort_once(std::vector<std::size_t>& values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
@@ -37,8 +37,7 @@ void narrow(const ExportFile& file, ExportLoop& loop) {
   std::vector<std::size_t> all = file.shared;
   all.insert(all.end(), loop.own.begin(), loop.own.end());
   const auto moved = [&all](std::size_t& column) {
-    column =
-        static_cast<std::size_t>(std::find(all.begin(), all.end(), column) - all.begin());
+    column = static_cast<std::size_t>(std::ranges::find(all, column) - all.begin());
   };
   const auto moved_if = [&moved](std::optional<std::size_t>& column) {
     if (column) moved(*column);
@@ -97,7 +96,7 @@ ExportLoop loop_of(ExportFile& file, const TagLoop& tags,
     sort_once(file.shared);
   }
   std::erase_if(loop.own, [&file](std::size_t column) {
-    return std::find(file.shared.begin(), file.shared.end(), column) != file.shared.end();
+    return std::ranges::find(file.shared, column) != file.shared.end();
   });
   sort_once(loop.own);
   narrow(file, loop);
@@ -164,8 +163,7 @@ ExportFile look_into(const std::string& path, const ReadOptions& options) {
     const std::size_t column = candidate.number - 1;
     const Content content = file.layout.columns[column].content;
     if (content == Content::kDateTime || content == Content::kDate ||
-        content == Content::kClock ||
-        std::find(parts.begin(), parts.end(), column) != parts.end()) {
+        content == Content::kClock || std::ranges::find(parts, column) != parts.end()) {
       candidate.measured = false;
     }
   }

@@ -91,7 +91,7 @@ class Finder {
     const auto first =
         found.passed_over.begin() + static_cast<std::ptrdiff_t>(passed_over);
     std::vector<std::string> others(first, found.passed_over.end());
-    std::sort(others.begin(), others.end());
+    std::ranges::sort(others);
     found.passed_over.erase(first, found.passed_over.end());
     problem(path, "expected recordings (" + endings + ") below this folder, found " +
                       (others.empty() ? "none" : "only " + names_of_some(others)) +
@@ -147,7 +147,7 @@ FoundFiles find_files(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) finder.add(path, 0);
   for (auto* files : {&finder.found.files, &finder.found.passed_over}) {
     for (std::string& file : *files) file = fs::path(file).lexically_normal().string();
-    std::sort(files->begin(), files->end());
+    std::ranges::sort(*files);
     files->erase(std::unique(files->begin(), files->end()), files->end());
   }
   // One that is named itself is read.

@@ -151,7 +151,7 @@ class Grouper {
       if (!loops_[i].error.empty() || !(r.period_s > 0) || r.y.size() < 64) continue;
       heard_.push_back({i, frequency_of(r)});
     }
-    std::sort(heard_.begin(), heard_.end(), [](const Heard& a, const Heard& b) {
+    std::ranges::sort(heard_, [](const Heard& a, const Heard& b) {
       return a.frequency < b.frequency || (a.frequency == b.frequency && a.loop < b.loop);
     });
     parent_.resize(heard_.size());
@@ -196,14 +196,14 @@ class Grouper {
       leaders.push_back(leader_of(groups[g]));
       order.emplace_back(-loops_[heard_[leaders[g]].loop].cost, g);
     }
-    std::sort(order.begin(), order.end());
+    std::ranges::sort(order);
     int number = 0;
     for (const auto& [cost, g] : order) mark(groups[g], leaders[g], ++number);
   }
 
   std::size_t leader_of(std::vector<std::size_t>& group) {
     // The ones with the most evidence are weighed against each other.
-    std::sort(group.begin(), group.end(), [this](std::size_t a, std::size_t b) {
+    std::ranges::sort(group, [this](std::size_t a, std::size_t b) {
       const ScreenedLoop& la = loops_[heard_[a].loop];
       const ScreenedLoop& lb = loops_[heard_[b].loop];
       return std::pair(-own_evidence(la), la.loop) <
@@ -224,7 +224,7 @@ class Grouper {
         score[j] -= kOfForesight * net / static_cast<double>(count - 1);
       }
     }
-    const auto best = std::max_element(score.begin(), score.end());
+    const auto best = std::ranges::max_element(score);
     return group[static_cast<std::size_t>(best - score.begin())];
   }
 

@@ -80,7 +80,7 @@ RhythmOfRecording rhythm_of(const Recording& recording, const std::string& clock
   if (in_u.period > 0) {
     out.oscillates = times_of(recording.u, in_u);
     out.thinned = in_u.thinned;
-    const auto on = std::count(out.oscillates.begin(), out.oscillates.end(), true);
+    const auto on = std::ranges::count(out.oscillates, true);
     out.time.oscillating_s = out.time.all_s * static_cast<double>(on) /
                              static_cast<double>(out.oscillates.size());
   }

@@ -197,7 +197,7 @@ ScreenedLoop screen_loop(std::vector<Recording> recordings,
     oscillating_s += one.heard.time.oscillating_s;
     if (one.heard.rhythm.period_s > 0) out.rhythm = std::move(one.heard.rhythm);
     for (const std::string& note : recording.resampling.notes) {
-      if (std::find(out.notes.begin(), out.notes.end(), note) == out.notes.end()) {
+      if (std::ranges::find(out.notes, note) == out.notes.end()) {
         out.notes.push_back(note);
       }
     }

@@ -50,7 +50,7 @@ ident::PerStroke<double> estimates(const Json& json) {
 std::string packed(const std::vector<float>& values) {
   std::string out;
   if (values.empty()) return out;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto [low, high] = std::ranges::minmax_element(values);
   const float range = *high - *low;
   for (const float value : values) {
     const int level =

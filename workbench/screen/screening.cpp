@@ -273,8 +273,8 @@ class Screener {
   void identify() {
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
-      const bool read = std::all_of(
-          tasks_[i].parts.begin(), tasks_[i].parts.end(), [this](const PartOfLoop& part) {
+      const bool read =
+          std::ranges::all_of(tasks_[i].parts, [this](const PartOfLoop& part) {
             return part.loop == kWholeFile || exports_[part.file] != nullptr ||
                    broken_.contains(part.file);
           });
@@ -312,14 +312,14 @@ class Screener {
     note_zones(out_.loops);
     share_costs(out_.loops);
     for (ScreenedLoop& error : errors_) out_.loops.push_back(std::move(error));
-    std::stable_sort(out_.loops.begin(), out_.loops.end(),
-                     [](const ScreenedLoop& a, const ScreenedLoop& b) {
-                       const bool a_bad = !a.error.empty();
-                       const bool b_bad = !b.error.empty();
-                       if (a_bad != b_bad) return b_bad;
-                       if (a.cost != b.cost) return a.cost > b.cost;
-                       return a.loop < b.loop;
-                     });
+    std::ranges::stable_sort(out_.loops,
+                             [](const ScreenedLoop& a, const ScreenedLoop& b) {
+                               const bool a_bad = !a.error.empty();
+                               const bool b_bad = !b.error.empty();
+                               if (a_bad != b_bad) return b_bad;
+                               if (a.cost != b.cost) return a.cost > b.cost;
+                               return a.loop < b.loop;
+                             });
   }
 
   const ScreeningOptions& options_;

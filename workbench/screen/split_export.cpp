@@ -224,7 +224,7 @@ Recording SplitExport::recording(std::size_t loop) const {
     for (std::size_t i = 0; i < names.size(); ++i) {
       const std::size_t tag = tag_streams_[loop][i];
       if (tag == kNoStream) continue;
-      auto known = std::find(streams.begin(), streams.end(), tag / values);
+      auto known = std::ranges::find(streams, tag / values);
       if (known == streams.end()) {
         text += spill_.text(tag / values);
         known = streams.insert(streams.end(), tag / values);

@@ -166,10 +166,9 @@ class Pairer {
         out_.unpaired.push_back(i);
       }
     }
-    std::sort(out_.loops.begin(), out_.loops.end(),
-              [](const TagLoop& a, const TagLoop& b) {
-                return std::min(a.u, a.y) < std::min(b.u, b.y);
-              });
+    std::ranges::sort(out_.loops, [](const TagLoop& a, const TagLoop& b) {
+      return std::min(a.u, a.y) < std::min(b.u, b.y);
+    });
     return std::move(out_);
   }
 
@@ -272,9 +271,9 @@ PairRules PairRules::parse(const std::string& text) {
   const bool is_list = lower_case(text).ends_with(".csv");
   for (const std::string& rule : split(text, ',')) {
     const std::vector<std::string> parts = split(rule, '/');
-    const auto stars = std::count(parts[0].begin(), parts[0].end(), '*');
-    const bool alike = std::all_of(parts.begin(), parts.end(), [stars](const auto& part) {
-      return !part.empty() && std::count(part.begin(), part.end(), '*') == stars;
+    const auto stars = std::ranges::count(parts[0], '*');
+    const bool alike = std::ranges::all_of(parts, [stars](const auto& part) {
+      return !part.empty() && std::ranges::count(part, '*') == stars;
     });
     if (parts.size() < 2 || parts.size() > 4 || !alike || stars > 1 || is_list) {
       throw std::invalid_argument(

@@ -107,8 +107,8 @@ std::string head_of_file(const std::string& path, std::size_t lines) {
   for (std::string_view text = blocks.next(); !text.empty() && found < lines;
        text = blocks.next()) {
     head += text;
-    found += static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }));
+    found += static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return c == '\n' || c == '\r'; }));
     if (head.size() > kLongestLine) break;
   }
   return head;

@@ -88,8 +88,8 @@ void check_opening(const Session& session, const ApiRequest& request) {
 }
 
 ApiResponse routed(Session& session, const ApiRequest& request) {
-  const auto route = std::find_if(kRoutes.begin(), kRoutes.end(),
-                                  [&](const Route& r) { return request.path == r.path; });
+  const auto route = std::ranges::find_if(
+      kRoutes, [&](const Route& r) { return request.path == r.path; });
   if (route == kRoutes.end()) {
     std::string known;
     for (const Route& r : kRoutes)

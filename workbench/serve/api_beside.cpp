@@ -99,7 +99,7 @@ Recording read_like(const CsvOptions* first, bool asked, const std::string& text
 
 // Whether it says how the file is to be read.
 bool tells_how(const ApiRequest& request) {
-  return std::any_of(request.query.begin(), request.query.end(), [](const auto& item) {
+  return std::ranges::any_of(request.query, [](const auto& item) {
     return item.first != "name" && item.first != "opening" && !item.second.empty();
   });
 }

@@ -1,11 +1,9 @@
 // Requests about what the user chooses, tries and takes along.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "workbench/model/base/parameter_range.hpp"
 #include "workbench/model/fit/fit.hpp"
-#include "workbench/model/tell/model_json.hpp"
 #include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
@@ -38,9 +36,9 @@ void set_values(const Json& body, const char* group, std::vector<Parameter>& par
                      workbench::quoted(wanted.dump()));
   }
   for (const auto& item : wanted.items()) {
-    const auto parameter = std::find_if(
-        parameters.begin(), parameters.end(),
-        [&item](const Parameter& p) { return !p.derived && p.name == item.key(); });
+    const auto parameter = std::ranges::find_if(parameters, [&item](const Parameter& p) {
+      return !p.derived && p.name == item.key();
+    });
     if (parameter == parameters.end()) {
       throw BadRequest(std::string("no parameter ") + workbench::quoted(item.key()) +
                        " in " + group);

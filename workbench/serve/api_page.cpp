@@ -13,7 +13,6 @@
 #include "workbench/serve/direction_words.hpp"
 #include "workbench/serve/effect_titles.hpp"
 #include "workbench/serve/languages.hpp"
-#include "workbench/serve/session_json.hpp"
 
 namespace workbench {
 namespace {
@@ -110,7 +109,7 @@ ApiResponse get_parts(Session& session, const ApiRequest&) {
 ApiResponse get_report(Session& session, const ApiRequest& request) {
   const std::string language = value_or(request, "language", "en");
   const std::vector<std::string>& known = languages();
-  if (std::find(known.begin(), known.end(), language) == known.end()) {
+  if (std::ranges::find(known, language) == known.end()) {
     throw BadRequest("no language " + workbench::quoted(language));
   }
   const SessionView view = session.view();

@@ -45,9 +45,8 @@ std::optional<Asset> find_asset(std::string_view path) {
   if (name == "report.css") return Asset{type_of(name), kPageStyle};
   if (name == kAllTexts) return Asset{type_of(name), all_texts_script()};
   const auto files = embedded_files();
-  const auto found =
-      std::find_if(files.begin(), files.end(),
-                   [name](const EmbeddedFile& f) { return f.name == name; });
+  const auto found = std::ranges::find_if(
+      files, [name](const EmbeddedFile& f) { return f.name == name; });
   if (found == files.end()) return std::nullopt;
   if (name != kPage) return Asset{type_of(name), found->content};
   static const std::string kWhole = with_preloads(found->content);

@@ -38,7 +38,7 @@ std::vector<Run> runs_of(const std::vector<double>& values) {
 
 // Stretches in which the signal moves on by the same step from sample to sample.
 std::vector<Run> straight_runs_of(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto [low, high] = std::ranges::minmax_element(values);
   const double exact = 1e-9 * (*high - *low);
   std::vector<Run> out;
   for (std::size_t k = 2; k < values.size(); ++k) {
@@ -53,7 +53,7 @@ std::vector<Run> straight_runs_of(const std::vector<double>& values) {
 std::vector<Run> jumps_of(const std::vector<double>& values) {
   constexpr double kOfSpan = 0.05;
   constexpr double kOfUsual = 8;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto [low, high] = std::ranges::minmax_element(values);
   std::vector<double> moves;
   for (std::size_t k = 1; k < values.size(); ++k) {
     const double move = std::abs(values[k] - values[k - 1]);
@@ -80,8 +80,7 @@ bool lies_in(const std::vector<SampleRange>& ranges, const Run& run) {
 
 // Half of all samples lie in runs at most this long.
 std::size_t usual_length(std::vector<Run> runs, std::size_t samples) {
-  std::sort(runs.begin(), runs.end(),
-            [](const Run& a, const Run& b) { return a.length < b.length; });
+  std::ranges::sort(runs, [](const Run& a, const Run& b) { return a.length < b.length; });
   std::size_t seen = 0;
   for (const Run& run : runs) {
     seen += run.length;
@@ -102,7 +101,7 @@ class FoundMarks {
   void look_at_u() {
     if (!recording_.has(Column::u)) return;
     const std::vector<double>& u = recording_.u;
-    const auto [low, high] = std::minmax_element(u.begin(), u.end());
+    const auto [low, high] = std::ranges::minmax_element(u);
     const std::vector<Run> runs = runs_of(u);
     const std::size_t long_rest =
         std::max(kFewestMarked, 10 * usual_length(runs, u.size()));
@@ -116,10 +115,9 @@ class FoundMarks {
     }
     // Where the next recording begins u may be anywhere.
     const auto joins_pieces = [this](const Run& run) {
-      return std::any_of(
-          recording_.pieces.begin(), recording_.pieces.end(), [&run](const Piece& piece) {
-            return piece.first > run.first && piece.first < run.first + run.length;
-          });
+      return std::ranges::any_of(recording_.pieces, [&run](const Piece& piece) {
+        return piece.first > run.first && piece.first < run.first + run.length;
+      });
     };
     for (const Run& run : jumps_of(u)) {
       if (!joins_pieces(run)) add(Mark::Kind::kStep, run);
@@ -146,10 +144,10 @@ class FoundMarks {
 
   // The longest ones, in their order.
   std::vector<Mark> take() {
-    std::sort(found_.begin(), found_.end(),
-              [](const Found& a, const Found& b) { return a.length > b.length; });
+    std::ranges::sort(found_,
+                      [](const Found& a, const Found& b) { return a.length > b.length; });
     if (found_.size() > kMostMarks) found_.resize(kMostMarks);
-    std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+    std::ranges::sort(found_, [](const Found& a, const Found& b) {
       return a.mark.from_s < b.mark.from_s;
     });
     std::vector<Mark> out;

@@ -16,9 +16,8 @@ namespace {
 
 SampleRange samples_at(const Recording& recording, std::pair<double, double> range) {
   const auto at = [&recording](double t) {
-    return static_cast<std::size_t>(
-        std::lower_bound(recording.t.begin(), recording.t.end(), t) -
-        recording.t.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(recording.t, t) -
+                                    recording.t.begin());
   };
   return {at(range.first), at(range.second)};
 }

@@ -22,8 +22,8 @@ std::vector<Parameter>* parameters_of(Model& model, const std::string& group) {
 Parameter* find(Model& model, const std::string& group, const std::string& name) {
   std::vector<Parameter>* const all = parameters_of(model, group);
   if (all == nullptr) return nullptr;
-  const auto found = std::find_if(all->begin(), all->end(),
-                                  [&name](const Parameter& p) { return p.name == name; });
+  const auto found =
+      std::ranges::find_if(*all, [&name](const Parameter& p) { return p.name == name; });
   return found == all->end() ? nullptr : &*found;
 }
 
@@ -86,15 +86,14 @@ Model by_hand(const Recording& recording, const Model& before, Model model,
 }
 
 bool is_by_hand(const Model& model) {
-  return std::any_of(model.history.begin(), model.history.end(),
-                     [](const HistoryStep& step) {
-                       return step.effect == kSetByHand || step.effect == kFittedByHand;
-                     });
+  return std::ranges::any_of(model.history, [](const HistoryStep& step) {
+    return step.effect == kSetByHand || step.effect == kFittedByHand;
+  });
 }
 
 bool speaks_of(const ExplainResult& found, const Model& model) {
-  return std::none_of(found.candidates.begin(), found.candidates.end(),
-                      [&model](const Candidate& c) { return model.has(c.effect); });
+  return std::ranges::none_of(
+      found.candidates, [&model](const Candidate& c) { return model.has(c.effect); });
 }
 
 Model with_effects(const Recording& recording, Model model,

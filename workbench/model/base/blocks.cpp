@@ -22,8 +22,7 @@ Blocks::Blocks(std::span<const Piece> pieces, double memory_samples, const Split
   constexpr double kFewestWanted = 2;
   constexpr double kShortestPair = 10;  // samples
   constexpr double kFewestOfPiece = 2;  // or it would be fitted first and judge last
-  const bool apart =
-      std::any_of(pieces.begin(), pieces.end(), [](const Piece& p) { return p.judges; });
+  const bool apart = std::ranges::any_of(pieces, [](const Piece& p) { return p.judges; });
   const auto length = [](const Piece& piece) {
     return static_cast<double>(piece.last - piece.first);
   };

@@ -7,8 +7,8 @@
 namespace workbench {
 
 bool Model::has(std::string_view effect) const {
-  return std::any_of(effects.begin(), effects.end(),
-                     [effect](const EffectTerm& term) { return term.effect == effect; });
+  return std::ranges::any_of(
+      effects, [effect](const EffectTerm& term) { return term.effect == effect; });
 }
 
 std::vector<std::string> Model::effect_codes() const {

@@ -48,8 +48,8 @@ std::vector<SampleRange> touched(const std::vector<SampleRange>& ranges,
                                  const std::vector<std::size_t>& groups,
                                  std::size_t count) {
   const auto begun = [&groups](std::size_t sample) {
-    return static_cast<std::size_t>(
-        std::lower_bound(groups.begin(), groups.end(), sample) - groups.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(groups, sample) -
+                                    groups.begin());
   };
   std::vector<SampleRange> out;
   for (const SampleRange& range : ranges) {

@@ -31,8 +31,7 @@ std::vector<Parameter> told_parameters(const EffectTerm& term) {
   const std::optional<NamedCurve> curve = curve_of(term.effect, term.parameters);
   if (!curve) return out;
   std::erase_if(out, [&curve](const Parameter& p) {
-    return std::find(curve->inside.begin(), curve->inside.end(), p.name) !=
-           curve->inside.end();
+    return std::ranges::find(curve->inside, p.name) != curve->inside.end();
   });
   return out;
 }

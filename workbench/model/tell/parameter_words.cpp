@@ -69,7 +69,7 @@ const Words* words_of(std::string_view parameter) {
 std::string name_in_words(std::string_view parameter) {
   const Words* const words = words_of(parameter);
   std::string name(words != nullptr ? words->name : parameter);
-  std::replace(name.begin(), name.end(), '_', ' ');
+  std::ranges::replace(name, '_', ' ');
   return name;
 }
 

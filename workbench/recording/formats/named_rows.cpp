@@ -64,7 +64,7 @@ std::string NamedRows::text() const {
   };
   append_row();
   for (const std::size_t end : ends_) {
-    std::fill(row.begin(), row.end(), std::string_view());
+    std::ranges::fill(row, std::string_view());
     for (std::size_t i = begin; i < end; ++i) row[cells_[i].column] = cells_[i].value;
     append_row();
     begin = end;
