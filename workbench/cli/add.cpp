@@ -63,7 +63,7 @@ int tell(const Options& options, const Recording& recording, const FittedModel& 
   json["recordings"] = recordings_json(next.quality.recordings);
   print(options.json ? json_line(json)
                      : text +
-                           caution_text(next.model, next.quality.fit_percent,
+                           caution_text(next.model, recording, next.quality.fit_percent,
                                         is_left_to_controller(next.model, recording)) +
                            recordings_table(next.quality.recordings) + kept);
   return kDone;

@@ -68,6 +68,7 @@ std::string what_is_missing(const ExplainResult& result, bool hardly,
 }
 
 std::string explanation_text(const ExplainResult& result, const Model& model,
+                             const Recording& recording,
                              const std::optional<ValveVerdict>& verdict, bool time_was_up,
                              const SearchSoFar& so_far) {
   const bool single = result.recordings.size() == 1;
@@ -75,7 +76,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   const bool blind = result.left_to_controller;
   const bool hardly = single && tells_nothing(model, fit);
   std::string text =
-      hardly || blind ? caution_text(model, fit, blind) + '\n' : std::string();
+      hardly || blind ? caution_text(model, recording, fit, blind) + '\n' : std::string();
   text += what_is_missing(result, hardly, verdict, so_far);
   if (!result.complete) {
     text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
@@ -84,7 +85,7 @@ std::string explanation_text(const ExplainResult& result, const Model& model,
   text += "Error " + number(result.rmse, 4) + ", validation " +
           number(result.rmse_validation, 4) + ", of which noise at most " +
           number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings);
-  if (single && !hardly && !blind) text += caution_text(model, fit, false);
+  if (single && !hardly && !blind) text += caution_text(model, recording, fit, false);
   text += '\n';
   if (result.searched) {
     text += searched_text(*result.searched, "all errors and figures here.") + '\n';
@@ -120,8 +121,9 @@ int explain_with(const ModelOptions& options) {
                            {},
                            !unused.names.empty(),
                            next_file(options.model)};
-  print(options.json ? json_line(json)
-                     : explanation_text(result, model, verdict, time_was_up, so_far));
+  print(options.json
+            ? json_line(json)
+            : explanation_text(result, model, recording, verdict, time_was_up, so_far));
   return kDone;
 }
 

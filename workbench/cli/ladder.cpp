@@ -89,8 +89,9 @@ std::string samples_text(const Recording& recording) {
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up,
                         const SearchSoFar& so_far, const std::string& kept) {
-  const std::string mind = caution_text(result.model, result.quality.fit_percent,
-                                        result.last.left_to_controller);
+  const std::string mind =
+      caution_text(result.model, recording, result.quality.fit_percent,
+                   result.last.left_to_controller);
   std::string text = recording.name + ": " + samples_text(recording) + "\n\n";
   // Whose model this is, is to be known before its steps are read.
   if (result.last.left_to_controller) text += mind + '\n';

@@ -45,7 +45,7 @@ std::string model_text(const FittedModel& fitted, const Recording& recording,
   return text + "\nFit " + fixed(fitted.quality.fit_percent, 1) + " %, error " +
          number(fitted.quality.rmse, 4) + " (validation " +
          number(fitted.quality.rmse_validation, 4) + ")\n" +
-         caution_text(fitted.model, fitted.quality.fit_percent,
+         caution_text(fitted.model, recording, fitted.quality.fit_percent,
                       is_left_to_controller(fitted.model, recording)) +
          recordings_table(fitted.quality.recordings) + kept;
 }

@@ -338,10 +338,11 @@ std::string ended_early(bool time_was_up, const std::string& what) {
          (time_was_up ? "; allow more with --within." : ".");
 }
 
-std::string caution_text(const Model& model, double fit_percent,
-                         bool left_to_controller) {
+std::string caution_text(const Model& model, const Recording& recording,
+                         double fit_percent, bool left_to_controller) {
   std::string text;
-  for (const std::string& caution : cautions(model, fit_percent, left_to_controller)) {
+  for (const std::string& caution :
+       cautions(model, recording, fit_percent, left_to_controller)) {
     text += wrapped(caution, 0) + '\n';
   }
   return text;

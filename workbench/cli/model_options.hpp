@@ -101,8 +101,8 @@ struct Modelled {
 /// `what` so far, "model".
 [[nodiscard]] std::string ended_early(bool time_was_up, const std::string& what);
 /// What to know before its numbers are used (cautions.hpp), each on lines of its own.
-[[nodiscard]] std::string caution_text(const Model& model, double fit_percent,
-                                       bool left_to_controller);
+[[nodiscard]] std::string caution_text(const Model& model, const Recording& recording,
+                                       double fit_percent, bool left_to_controller);
 /// Where a long recording was searched, and which of the figures told are of that.
 [[nodiscard]] std::string searched_text(const Searched& searched, std::string_view which);
 /// "after a step of 30 %": from one error to another, in percent down.

@@ -252,7 +252,7 @@ std::string model_verdict(const ModelReport& report) {
     }
   }
   for (const std::string& caution :
-       cautions(report.model, report.comparison.quality.fit_percent,
+       cautions(report.model, report.recording, report.comparison.quality.fit_percent,
                 report.explanation.left_to_controller)) {
     remarks.push_back({"Mind this.", caution});
   }

@@ -128,13 +128,20 @@ Made made_of(const Signals& s, std::size_t first) {
   return out;
 }
 
+constexpr double kMuch = 1.5;  // times the squares that are left with a part of the law
+
 // Whether the sum of y has its part in u, as in a controller that takes a load away for
 // good. What a process that is moved by hand makes of u has none, or one of the other
 // sign.
 bool integrates_in(const Signals& s, const Made& by_law) {
-  constexpr double kMuch = 1.5;
   const bool one_sign = by_law.coefficients[0] * by_law.coefficients[1] > 0;
   return one_sign && made_of(s, kLevel).left > kMuch * by_law.left;
+}
+
+double slope_in(Signals s, const Made& by_law) {
+  const double slope = by_law.coefficients[kLevel - kSum];
+  s.erase(s.begin() + kLevel);
+  return made_of(s, kSum).left > kMuch * by_law.left ? slope : 0;
 }
 
 // Whether u moves by a few amounts only, up to a hundredth of the largest.
@@ -184,7 +191,8 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
           .of_changes = share_of(changes, change),
           .integrates = integrates_in(levels, level),
           .switches = switches_in(changes[kU]),
-          .leads = made_of(ahead, kSum).left < kFarLess * change.left};
+          .leads = made_of(ahead, kSum).left < kFarLess * change.left,
+          .slope = slope_in(levels, level)};
 }
 
 bool follows_law(const LawShare& share) {

@@ -8,6 +8,14 @@
 #include "workbench/recording/filled.hpp"
 
 namespace workbench {
+namespace {
+
+bool rests(const std::vector<double>& setpoint) {
+  return !setpoint.empty() && std::ranges::count(setpoint, setpoint.front()) ==
+                                  static_cast<std::ptrdiff_t>(setpoint.size());
+}
+
+}  // namespace
 
 bool says_hardly_anything(double fit_percent) {
   constexpr double kLeast = 5;  // %, a tenth of the squared error
@@ -42,8 +50,20 @@ bool is_left_to_controller(const Model& model, const Recording& recording) {
   return follows_law(law_share(recording.u, recording.y, parts_of(recording).pieces));
 }
 
-std::vector<std::string> cautions(const Model& model, double fit_percent,
-                                  bool left_to_controller) {
+// Where u rises with y under a constant setpoint, a gain above 0 would take it farther.
+bool would_run_away(const Model& model, const Recording& recording) {
+  constexpr double kMuch = 0.5;
+  const Parameter* gain = find(model.process, "gain");
+  if (model.output != Column::y || gain == nullptr || may_lack_gain(model) ||
+      !rests(recording.sp)) {
+    return false;
+  }
+  const LawShare law = law_share(recording.u, recording.y, parts_of(recording).pieces);
+  return law.of_level > kMuch && law.slope * gain->value > 0;
+}
+
+std::vector<std::string> cautions(const Model& model, const Recording& recording,
+                                  double fit_percent, bool left_to_controller) {
   constexpr double kAtBound = 0.99;
   if (left_to_controller) {
     return {
@@ -61,6 +81,13 @@ std::vector<std::string> cautions(const Model& model, double fit_percent,
     return {
         "The interval of the gain holds 0: how far the output follows u, if at all, is "
         "not told. Move u further, or give the column that moves the output."};
+  }
+  if (would_run_away(model, recording)) {
+    return {
+        "With a gain of this sign the controller of this recording would drive the "
+        "process away from its setpoint: the model may be that of the controller turned "
+        "round, or lack a dead time. Change the setpoint a few times, or move u by "
+        "hand."};
   }
   const Parameter* lag = find(model.process, "first_lag");
   if (lag == nullptr || lag->value < kAtBound * lag->bound_high) return {};

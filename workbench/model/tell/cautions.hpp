@@ -27,10 +27,17 @@ namespace workbench {
 /// has neither a stem nor a recorded load that would move y.
 [[nodiscard]] bool is_left_to_controller(const Model& model, const Recording& recording);
 
+/// (W31) True where the setpoint of the recording rests and its controller would drive a
+/// process with the gain of the model away from it.
+[[nodiscard]] bool would_run_away(const Model& model, const Recording& recording);
+
 /// Whole sentences in plain text, empty where there is nothing to say: u that only the
-/// controller moves, a fit that a constant would reach, too, a gain that may be none, a
-/// first lag that only the length of the recording bounds.
-[[nodiscard]] std::vector<std::string> cautions(const Model& model, double fit_percent,
+/// controller moves, a fit that a constant would reach, too, a gain that may be none or
+/// has the wrong sign, a first lag that only the length of the recording bounds.
+/// `recording`: the one that the model is of.
+[[nodiscard]] std::vector<std::string> cautions(const Model& model,
+                                                const Recording& recording,
+                                                double fit_percent,
                                                 bool left_to_controller);
 
 }  // namespace workbench

@@ -26,11 +26,11 @@ Model with_lag(double lag_s) {
 }
 
 TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
-  EXPECT_TRUE(cautions(with_lag(120), 80, false).empty());
+  EXPECT_TRUE(cautions(with_lag(120), {}, 80, false).empty());
 }
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
-  EXPECT_TRUE(caution_says(cautions(with_lag(500), 80, false),
+  EXPECT_TRUE(caution_says(cautions(with_lag(500), {}, 80, false),
                            "never settle (process.integrating)"));
 }
 
@@ -46,19 +46,19 @@ TEST(Cautions, AFactOfTheRecordMayBeBesideThePoint) {
 }
 
 TEST(Cautions, AFitThatAConstantReachesIsSaid) {
-  EXPECT_TRUE(caution_says(cautions(with_lag(120), -2.4, false), "a constant"));
-  EXPECT_TRUE(caution_says(cautions(Model{}, 4.9, false), "a constant"));
-  EXPECT_TRUE(cautions(Model{}, 5.1, false).empty());
+  EXPECT_TRUE(caution_says(cautions(with_lag(120), {}, -2.4, false), "a constant"));
+  EXPECT_TRUE(caution_says(cautions(Model{}, {}, 4.9, false), "a constant"));
+  EXPECT_TRUE(cautions(Model{}, {}, 5.1, false).empty());
 }
 
 TEST(Cautions, AGainThatMayBeNoneIsSaid) {
   Model model = with_lag(120);
   model.process.push_back({.name = "gain", .value = 0.1, .low = -0.1, .high = 0.3});
   EXPECT_TRUE(may_lack_gain(model));
-  EXPECT_TRUE(caution_says(cautions(model, 80, false), "holds 0"));
+  EXPECT_TRUE(caution_says(cautions(model, {}, 80, false), "holds 0"));
   model.process.back().low = 0.05;
   EXPECT_FALSE(may_lack_gain(model));
-  EXPECT_TRUE(cautions(model, 80, false).empty());
+  EXPECT_TRUE(cautions(model, {}, 80, false).empty());
 }
 
 TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) {
@@ -77,7 +77,29 @@ TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) 
   EXPECT_FALSE(is_left_to_controller(with_stem, recording));
   for (std::size_t k = 200; k < 400; ++k) recording.u[k] += 5;
   EXPECT_FALSE(is_left_to_controller(Model{}, recording)) << "something else moves u";
-  EXPECT_TRUE(caution_says(cautions(Model{}, 97, true), "change the setpoint"));
+  EXPECT_TRUE(caution_says(cautions(Model{}, {}, 97, true), "change the setpoint"));
+}
+
+TEST(Cautions, AGainWithWhichTheLoopWouldRunAwayIsSaid) {
+  Recording recording;
+  for (std::size_t k = 0; k < 400; ++k) {
+    const auto t = static_cast<double>(k);
+    const double y = std::sin(0.1 * t) > 0 ? 2 : -1;
+    recording.t.push_back(t);
+    recording.y.push_back(50 + y);
+    recording.u.push_back(40 - 0.5 * y + 0.6 * std::sin(1.7 * t));
+  }
+  Model turned;
+  turned.process = {{.name = "gain", .value = -2, .low = -2.2, .high = -1.8}};
+  EXPECT_FALSE(would_run_away(turned, recording)) << "no setpoint is known";
+  recording.sp.assign(400, 50);
+  EXPECT_TRUE(would_run_away(turned, recording));
+  EXPECT_TRUE(caution_says(cautions(turned, recording, 60, false), "gain of this sign"));
+  turned.process = {{.name = "gain", .value = 2, .low = 1.8, .high = 2.2}};
+  EXPECT_FALSE(would_run_away(turned, recording));
+  recording.sp.back() = 51;
+  turned.process = {{.name = "gain", .value = -2, .low = -2.2, .high = -1.8}};
+  EXPECT_FALSE(would_run_away(turned, recording)) << "the setpoint moves";
 }
 
 }  // namespace
