@@ -221,6 +221,17 @@ void name_unseen_ahead(const Fitter& fitter, std::vector<Trial>& trials,
   }
 }
 
+// Accepted but for the identification, which does not know: it is not told from it
+// either.
+void name_unconfirmed(const Fitter& fitter, std::vector<Trial>& trials,
+                      const NoiseColour& colour, Trial& best) {
+  for (Trial& trial : trials) {
+    if (!trial.unconfirmed) continue;
+    trial.score = score_of(*trial.fit, colour);
+    if (is_in_group(fitter, best, trial)) name_beside(trial, best);
+  }
+}
+
 // What leaves less, but moves too seldom to be told from chance, may be it as well.
 void name_too_seldom(std::vector<Trial>& trials, const NoiseColour& colour, Trial& best) {
   if (best.partner != nullptr || is_fact(best)) return;
@@ -363,6 +374,7 @@ Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {
     for (Trial* other : others) other->candidate.status = CandidateStatus::kUndecided;
   }
   name_unseen_ahead(fitter, trials, colour, *best);
+  name_unconfirmed(fitter, trials, colour, *best);
   name_too_seldom(trials, colour, *best);
   name_other_delay(fitter, trials, *best);
   if (slipping != nullptr && !accepted(*slipping)) name_beside(*slipping, *best);

@@ -34,9 +34,10 @@ struct Trial {
   bool own = false;                 // shown by the effect's own test, not by the error
   bool on = false;                  // an interval excludes "off"
   bool edge = false;
-  bool too_few = false;     // it shows, but its events are too few
-  bool identified = false;  // the valve that the identification found
-  double score = 0;         // the smaller, the better; comparable between trials
+  bool too_few = false;      // it shows, but its events are too few
+  bool identified = false;   // the valve that the identification found
+  bool unconfirmed = false;  // a stem of which the identification knows nothing
+  double score = 0;          // the smaller, the better; comparable between trials
   Candidate candidate;
 };
 

@@ -78,6 +78,12 @@ bool is_outweighed(const Identification& found) {
   return found.reason == ident::Reason::kStemBounded;
 }
 
+// A stem of that band would have shown, or something else foretells y better.
+bool is_refuted(double band, const Identification& found) {
+  const std::optional<double> excluded = excluded_by(found);
+  return (excluded && band > *excluded) || is_outweighed(found);
+}
+
 // Why a stem of that band is none, to be filled with what it takes away and the band that
 // would have shown; null where the identification does not say so.
 const char* objection_to(double band, const Identification& found) {
@@ -139,6 +145,7 @@ void VerdictOnStems::refute(Trial& trial) const {
   const char* objection = objection_to(band, found);
   if (objection == nullptr) return;
   const std::optional<double> excluded = excluded_by(found);
+  trial.unconfirmed = !is_refuted(band, found);
   trial.candidate.status = CandidateStatus::kUndecided;
   trial.candidate.spoken_against = true;
   trial.candidate.evidence =

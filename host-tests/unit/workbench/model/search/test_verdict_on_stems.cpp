@@ -46,6 +46,7 @@ TEST(VerdictOnStems, RefutesABandThatWouldHaveShown) {
   ASSERT_TRUE(excluded);
   Trial wide = trial_of_play(fitter, 1.2 * *excluded);
   verdict.refute(wide);
+  EXPECT_FALSE(wide.unconfirmed) << "it is known not to be there";
   EXPECT_EQ(wide.candidate.status, CandidateStatus::kUndecided);
   EXPECT_NE(wide.candidate.evidence.find("would have shown"), std::string::npos);
   Trial narrow = trial_of_play(fitter, 0.8 * *excluded);
@@ -64,6 +65,7 @@ TEST(VerdictOnStems, RefutesEveryBandWhereTheClosestStemForetellsNothing) {
   ASSERT_TRUE(identified.result({}).evidence.stem_weighed);
   Trial narrow = trial_of_play(fitter, 0.5);
   VerdictOnStems(fitter, identified).refute(narrow);
+  EXPECT_TRUE(narrow.unconfirmed);
   EXPECT_EQ(narrow.candidate.status, CandidateStatus::kUndecided);
   EXPECT_NE(narrow.candidate.evidence.find("does not foretell"), std::string::npos);
 }
