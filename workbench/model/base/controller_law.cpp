@@ -138,10 +138,19 @@ bool integrates_in(const Signals& s, const Made& by_law) {
   return one_sign && made_of(s, kLevel).left > kMuch * by_law.left;
 }
 
-double slope_in(Signals s, const Made& by_law) {
-  const double slope = by_law.coefficients[kLevel - kSum];
-  s.erase(s.begin() + kLevel);
-  return made_of(s, kSum).left > kMuch * by_law.left ? slope : 0;
+// u by y, where both parts of a PI controller are seen, and y from sample to sample, too:
+// else y may follow u, or both something slow.
+double slope_in(const Signals& s, const Made& by_law, const Made& by_change) {
+  constexpr double kSome = 1.1;  // times the squares that are left with the sum
+  constexpr std::size_t kOfLevel = kLevel - kSum;
+  const double slope = by_law.coefficients[kOfLevel];
+  Signals without = s;
+  without.erase(without.begin() + kLevel);
+  const bool seen = made_of(without, kSum).left > kMuch * by_law.left &&
+                    made_of(s, kLevel).left > kSome * by_law.left;
+  const bool one_sign =
+      slope * by_law.coefficients[0] > 0 && slope * by_change.coefficients[kOfLevel] > 0;
+  return seen && one_sign ? slope : 0;
 }
 
 // Whether u moves by a few amounts only, up to a hundredth of the largest.
@@ -192,7 +201,7 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
           .integrates = integrates_in(levels, level),
           .switches = switches_in(changes[kU]),
           .leads = made_of(ahead, kSum).left < kFarLess * change.left,
-          .slope = slope_in(levels, level)};
+          .slope = slope_in(levels, level, change)};
 }
 
 bool follows_law(const LawShare& share) {

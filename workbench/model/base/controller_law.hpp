@@ -18,7 +18,8 @@ struct LawShare {
                             ///< with the sign that y has
   bool switches = false;    ///< u moves by four amounts or fewer, as a relay moves it
   bool leads = false;       ///< the change of y that follows leaves less than half
-  double slope = 0;         ///< u by y; 0 where y itself takes less than a third away
+  double slope = 0;  ///< u by y; 0 where it is not seen beside the sum of y, from sample
+                     ///< to sample, with one sign in all
 };
 
 /// `u` and `y` of one length, 1 or more; `pieces` cover it, each with a setpoint of its

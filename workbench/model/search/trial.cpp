@@ -182,8 +182,7 @@ std::string doubt_in_sign(const Trial& trial, const FitIntervals& intervals) {
     const Interval& gain = intervals.solved[i];
     if (FreeRun::is_gain(fit.columns[i]) && gain.low <= 0 && gain.high >= 0) {
       return "the interval of the gain holds 0, so that which way the process goes in "
-             "the "
-             "end, and which is the wrong one, is not told";
+             "the end, and which is the wrong one, is not told";
     }
   }
   return {};

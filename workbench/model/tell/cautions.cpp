@@ -52,14 +52,16 @@ bool is_left_to_controller(const Model& model, const Recording& recording) {
 
 // Where u rises with y under a constant setpoint, a gain above 0 would take it farther.
 bool would_run_away(const Model& model, const Recording& recording) {
-  constexpr double kMuch = 0.5;
+  constexpr double kMuch = 0.5;   // of the level of u
+  constexpr double kSome = 0.25;  // of its changes
   const Parameter* gain = find(model.process, "gain");
   if (model.output != Column::y || gain == nullptr || may_lack_gain(model) ||
       !rests(recording.sp)) {
     return false;
   }
   const LawShare law = law_share(recording.u, recording.y, parts_of(recording).pieces);
-  return law.of_level > kMuch && law.slope * gain->value > 0;
+  return law.of_level > kMuch && law.of_changes > kSome && !law.leads &&
+         law.slope * gain->value > 0;
 }
 
 std::vector<std::string> cautions(const Model& model, const Recording& recording,

@@ -53,11 +53,13 @@ TEST(ControllerLaw, KnowsWhichWayItActs) {
   const std::vector<Piece> whole = {{.first = 0, .last = kSamples}};
   const std::vector<double> y = pushed();
   std::vector<double> u;
-  for (const double value : y) u.push_back(30 - 0.8 * value);
+  double sum = 0;
+  for (const double value : y) u.push_back(30 - 0.8 * value - 0.05 * (sum += value - 50));
   EXPECT_NEAR(law_share(u, y, whole).slope, -0.8, 1e-9);
   for (double& value : u) value = 60 - value;
   EXPECT_NEAR(law_share(u, y, whole).slope, 0.8, 1e-9);
-  double sum = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) u[k] = 0.5 * y[k];
+  EXPECT_EQ(law_share(u, y, whole).slope, 0) << "y may follow u";
   for (std::size_t k = 0; k < kSamples; ++k) u[k] = sum += 50 - y[k];
   EXPECT_EQ(law_share(u, y, whole).slope, 0) << "integral action alone";
 }

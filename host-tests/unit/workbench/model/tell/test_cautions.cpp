@@ -82,12 +82,14 @@ TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) 
 
 TEST(Cautions, AGainWithWhichTheLoopWouldRunAwayIsSaid) {
   Recording recording;
+  double sum = 0;
   for (std::size_t k = 0; k < 400; ++k) {
     const auto t = static_cast<double>(k);
-    const double y = std::sin(0.1 * t) > 0 ? 2 : -1;
+    const double y = std::sin(0.1 * t) + std::sin(0.37 * t);
+    sum += y;
     recording.t.push_back(t);
     recording.y.push_back(50 + y);
-    recording.u.push_back(40 - 0.5 * y + 0.6 * std::sin(1.7 * t));
+    recording.u.push_back(40 - 0.5 * y - 0.05 * sum + 0.2 * std::sin(1.7 * t));
   }
   Model turned;
   turned.process = {{.name = "gain", .value = -2, .low = -2.2, .high = -1.8}};
