@@ -107,18 +107,22 @@ Signals changes_in(const Signals& all, std::span<const SampleRange> stretches) {
   return out;
 }
 
-// u by what stands from `first` on: its coefficients, and the squares that are left.
+using Columns = std::vector<std::span<const double>>;
+
+Columns columns_from(const Signals& s, std::size_t first) {
+  return {s.begin() + static_cast<std::ptrdiff_t>(first), s.end()};
+}
+
+// u by columns of its law: their coefficients, and the squares that are left.
 struct Made {
   std::vector<double> coefficients;
   double left = 0;
 };
 
-Made made_of(const Signals& s, std::size_t first) {
-  const std::vector<Block> rows = {{0, s[kU].size(), true}};
-  const std::vector<std::span<const double>> columns(
-      s.begin() + static_cast<std::ptrdiff_t>(first), s.end());
-  Made out{least_squares(columns, s[kU], rows)};
-  std::vector<double> left = s[kU];
+Made made_of(const std::vector<double>& u, const Columns& columns) {
+  const std::vector<Block> rows = {{0, u.size(), true}};
+  Made out{least_squares(columns, u, rows)};
+  std::vector<double> left = u;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (std::size_t k = 0; k < left.size(); ++k) {
       left[k] -= out.coefficients[i] * columns[i][k];
@@ -128,29 +132,26 @@ Made made_of(const Signals& s, std::size_t first) {
   return out;
 }
 
-constexpr double kMuch = 1.5;  // times the squares that are left with a part of the law
-
-// Whether the sum of y has its part in u, as in a controller that takes a load away for
-// good. What a process that is moved by hand makes of u has none, or one of the other
-// sign.
-bool integrates_in(const Signals& s, const Made& by_law) {
-  const bool one_sign = by_law.coefficients[0] * by_law.coefficients[1] > 0;
-  return one_sign && made_of(s, kLevel).left > kMuch * by_law.left;
+Made made_of(const Signals& s, std::size_t first) {
+  return made_of(s[kU], columns_from(s, first));
 }
 
-// u by y, where both parts of a PI controller are seen, and y from sample to sample, too:
-// else y may follow u, or both something slow.
+constexpr double kMuch = 1.5;  // times the squares that are left with a part of the law
+
+// The squares that are left of u by all of the law but `part`.
+double left_without(const Signals& s, Signal part) {
+  Columns columns = columns_from(s, kSum);
+  columns.erase(columns.begin() + (part - kSum));
+  return made_of(s[kU], columns).left;
+}
+
+// u by y, where it is seen, and from sample to sample, too: else both follow something
+// slow.
 double slope_in(const Signals& s, const Made& by_law, const Made& by_change) {
-  constexpr double kSome = 1.1;  // times the squares that are left with the sum
   constexpr std::size_t kOfLevel = kLevel - kSum;
   const double slope = by_law.coefficients[kOfLevel];
-  Signals without = s;
-  without.erase(without.begin() + kLevel);
-  const bool seen = made_of(without, kSum).left > kMuch * by_law.left &&
-                    made_of(s, kLevel).left > kSome * by_law.left;
-  const bool one_sign =
-      slope * by_law.coefficients[0] > 0 && slope * by_change.coefficients[kOfLevel] > 0;
-  return seen && one_sign ? slope : 0;
+  const bool seen = left_without(s, kLevel) > kMuch * by_law.left;
+  return seen && slope * by_change.coefficients[kOfLevel] > 0 ? slope : 0;
 }
 
 // Whether u moves by a few amounts only, up to a hundredth of the largest.
@@ -195,13 +196,23 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
   const Signals ahead = changes_in(all, stretches);
   const Made level = made_of(levels, kSum);
   const Made change = made_of(changes, kSum);
+  // The sum of y has its part in a controller that takes a load away for good, with the
+  // sign that y has. What a process that is moved by hand makes of u has none, or one of
+  // the other sign.
+  const bool one_sign = level.coefficients[0] * level.coefficients[1] > 0;
+  const double without_sum = one_sign ? left_without(levels, kSum) : 0;
+  constexpr double kSome = 1.1;  // as kMuch, where y has its part, too
   constexpr double kFarLess = 0.5;
-  return {.of_level = share_of(levels, level),
-          .of_changes = share_of(changes, change),
-          .integrates = integrates_in(levels, level),
-          .switches = switches_in(changes[kU]),
-          .leads = made_of(ahead, kSum).left < kFarLess * change.left,
-          .slope = slope_in(levels, level, change)};
+  return {
+      .of_level = share_of(levels, level),
+      .of_changes = share_of(changes, change),
+      .integrates = without_sum > kMuch * level.left,
+      .switches = switches_in(changes[kU]),
+      .leads =
+          made_of(ahead, kSum).left<kFarLess * change.left, .slope = without_sum> kSome *
+                  level.left
+              ? slope_in(levels, level, change)
+              : 0};
 }
 
 bool follows_law(const LawShare& share) {

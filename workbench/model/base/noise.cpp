@@ -232,11 +232,6 @@ DifferenceTest test_given_past(std::span<const double> residual_small,
   return tested(products, all, left / count);
 }
 
-bool wants_more(const DifferenceTest& ahead) {
-  constexpr double kMost = 1.5;  // times what is simulated
-  return ahead.slope * (1 - 2 / ahead.z) > kMost;
-}
-
 double likeness_by_chance(std::span<const double> residual_small,
                           std::span<const double> residual_large, const Blocks& blocks) {
   double small = 0;

@@ -54,10 +54,6 @@ struct DifferenceTest {
                                              std::span<const double> u,
                                              const Blocks& blocks);
 
-/// True where the data want clearly more of a difference than is simulated: what is in
-/// them is in them as it is simulated, so that this only resembles it.
-[[nodiscard]] bool wants_more(const DifferenceTest& ahead);
-
 /// (W18) p-value of how much the difference between two simulations looks like what the
 /// smaller model leaves, on the validation samples: noise of any colour is one random
 /// direction in as many dimensions as there are stretches that it remembers over. 1 where

@@ -62,6 +62,11 @@ bool as_good(const Fitter& fitter, const Fit& other, const Fit& best) {
   return test.p_value > kAsLikely || test.z < kTellable * test.slope;
 }
 
+bool is_seen(const DifferenceTest& ahead) {
+  constexpr double kMost = 1.5;  // times what is simulated
+  return ahead.p_value <= kAsLikely && ahead.slope * (1 - 2 / ahead.z) <= kMost;
+}
+
 bool earns_parameters(const Fitter& fitter, const Fit& less, const Fit& more) {
   double count = 0;
   for (const Block& block : fitter.blocks().blocks()) {

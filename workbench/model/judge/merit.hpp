@@ -28,6 +28,10 @@ inline constexpr double kTooRich = 20;
 /// simplify.
 [[nodiscard]] bool as_good(const Fitter& fitter, const Fit& other, const Fit& best);
 
+/// True where a difference is seen one sample ahead (noise.hpp), and as large as it is
+/// simulated: data that want far more of it hold what it only resembles.
+[[nodiscard]] bool is_seen(const DifferenceTest& ahead);
+
 /// True where `more` lowers the error on the samples that were fitted by more than its
 /// additional parameters would (Akaike 1974). What helps on the others alone is luck.
 [[nodiscard]] bool earns_parameters(const Fitter& fitter, const Fit& less,

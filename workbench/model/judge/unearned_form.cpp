@@ -17,9 +17,7 @@ bool is_earned(const Fitter& fitter, const Fit& plain, const Fit& form) {
   if (!lowers_error(fitter, plain, form)) return false;
   const std::span<const double> u = fitter.situation(form).u;
   if (ident::moves_rarely<double>(u)) return true;
-  const DifferenceTest ahead =
-      test_given_past(plain.residual, form.residual, u, fitter.blocks());
-  return ahead.p_value <= kAsLikely && !wants_more(ahead);
+  return is_seen(test_given_past(plain.residual, form.residual, u, fitter.blocks()));
 }
 
 }  // namespace

@@ -291,7 +291,7 @@ bool has_idle_member(const Fitter& fitter, const PairSearch& search, Trial& pair
     const DifferenceTest ahead =
         test_given_past(search.alone(other).fit->residual, pair.fit->residual,
                         fitter.situation(*pair.fit).u, fitter.blocks());
-    if (ahead.p_value > kAsLikely || wants_more(ahead)) return true;
+    if (!is_seen(ahead)) return true;
     pair.test.p_value = std::max(pair.test.p_value, ahead.p_value);
   }
   return false;

@@ -129,7 +129,7 @@ bool each_is_needed(const Fitter& fitter, Trial& trial) {
     const DifferenceTest ahead =
         test_given_past(rest.residual, trial.fit->residual,
                         fitter.situation(*trial.fit).u, fitter.blocks());
-    if (ahead.p_value > kAsLikely || wants_more(ahead)) return false;
+    if (!is_seen(ahead)) return false;
     trial.test.p_value = std::max(trial.test.p_value, ahead.p_value);
     if (member->description().sticks) trial.p_ahead = ahead.p_value;
   }

@@ -78,37 +78,42 @@ bool is_outweighed(const Identification& found) {
   return found.reason == ident::Reason::kStemBounded;
 }
 
-// A stem of that band would have shown, or something else foretells y better.
-bool is_refuted(double band, const Identification& found) {
-  const std::optional<double> excluded = excluded_by(found);
-  return (excluded && band > *excluded) || is_outweighed(found);
-}
+// Why a stem is none: to be filled with what it takes away and the band that would have
+// shown.
+struct Objection {
+  const char* words = nullptr;  // none: the identification does not say so
+  bool is_known = false;        // that it is none, and not only that none was found
+};
 
-// Why a stem of that band is none, to be filled with what it takes away and the band that
-// would have shown; null where the identification does not say so.
-const char* objection_to(double band, const Identification& found) {
+Objection objection_to(double band, const Identification& found) {
   const std::optional<double> excluded = excluded_by(found);
   if (excluded && band > *excluded) {
-    return "It takes away {0} of the squared error on samples that were not fitted, but "
-           "from one sample to the next a stick band above {1} in u would have shown, "
-           "and did not.";
+    return {
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "from one sample to the next a stick band above {1} in u would have shown, "
+        "and did not.",
+        true};
   }
   if (is_outweighed(found)) {
-    return "It takes away {0} of the squared error on samples that were not fitted, but "
-           "from one sample to the next a valve that moves slowly, or stops at an end, "
-           "foretells the output better.";
+    return {
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "from one sample to the next a valve that moves slowly, or stops at an end, "
+        "foretells the output better.",
+        true};
   }
   if (is_unconfirmed(found)) {
-    return "It takes away {0} of the squared error on samples that were not fitted, but "
-           "such a stem does not foretell the output from one sample to the next: a "
-           "load, or a process of another shape, may look like a valve here.";
+    return {
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "such a stem does not foretell the output from one sample to the next: a "
+        "load, or a process of another shape, may look like a valve here."};
   }
   if (is_unneeded(found)) {
-    return "It takes away {0} of the squared error on samples that were not fitted, but "
-           "beside a process with a dead time and two lags no sticking valve is closer "
-           "to the output.";
+    return {
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "beside a process with a dead time and two lags no sticking valve is closer "
+        "to the output."};
   }
-  return nullptr;
+  return {};
 }
 
 bool slips(const Identification& found) {
@@ -140,17 +145,20 @@ void VerdictOnStems::refute(Trial& trial) const {
   if (trial.p_ahead <= kBeyondDoubt) return;
   const double band = stick_band_of(*trial.fit, *stem);
   Identification found = identified_->result(fitter_->work());
-  if (objection_to(band, found) == nullptr) return;
-  if (has_load(trial.fit->effects)) found = less_loads(*trial.fit);
-  const char* objection = objection_to(band, found);
-  if (objection == nullptr) return;
+  Objection objection = objection_to(band, found);
+  if (objection.words == nullptr) return;
+  if (has_load(trial.fit->effects)) {
+    found = less_loads(*trial.fit);
+    objection = objection_to(band, found);
+    if (objection.words == nullptr) return;
+  }
   const std::optional<double> excluded = excluded_by(found);
-  trial.unconfirmed = !is_refuted(band, found);
+  trial.unconfirmed = !objection.is_known;
   trial.candidate.status = CandidateStatus::kUndecided;
   trial.candidate.spoken_against = true;
   trial.candidate.evidence =
-      filled(objection, {number(trial.candidate.error_reduction_percent, 3) + " %",
-                         excluded ? number(*excluded, 3) : ""});
+      filled(objection.words, {number(trial.candidate.error_reduction_percent, 3) + " %",
+                               excluded ? number(*excluded, 3) : ""});
 }
 
 void VerdictOnStems::confirm(std::vector<Trial>& trials) const {
