@@ -74,6 +74,8 @@ constexpr Threshold kLeavesNoiseOut = Threshold(0.35);
 constexpr Threshold kHidden = Threshold(0.35);
 // What a stem does at one turn of u a load that drifts, or a curve, does as well.
 constexpr int kFewestTurns = 2;
+// Unless the stem turned back so often, in turns of u too small to count.
+constexpr int kFewestStems = 4;
 // Turning points of u without which nothing is said about a valve.
 constexpr int kFewestReversals = kSmallSizes ? kFewestTurns : 1;
 
@@ -137,9 +139,9 @@ bool convinces(const Evidence<Real>& e) {
     return false;
   }
   // In a few turns of u a curved process gains as much, but not steadily. Nor does it
-  // foretell y where u moved by hand, which y cannot have caused.
+  // foretell y.
   if (exact(e.error_ratio) > kOverwhelming &&
-      (e.reversals >= kFiveCycles || (e.by_hand && fitted_speaks_alone(e)))) {
+      (e.reversals >= kFiveCycles || fitted_speaks_alone(e))) {
     return exact(e.consistency) > 0;
   }
   return steadily_better(e) && exact(e.error_ratio) > kLarge;
@@ -160,7 +162,8 @@ bool better_in_most_cycles(const Evidence<Real>& e) {
 // Better running free and one sample ahead, in a few turns of u.
 template <class Real>
 bool better_in_few_turns(const Evidence<Real>& e) {
-  return e.reversals < kFiveCycles && steadily_better(e) && confirmation(e) > kFewTurns;
+  const bool few = e.reversals >= kFewestTurns && e.reversals < kFiveCycles;
+  return few && steadily_better(e) && confirmation(e) > kFewTurns;
 }
 
 // Whether a rung of the ladder alone says so, where no fitted valve does and none of
@@ -304,7 +307,8 @@ template <class Real>
 bool fitted_valve_sticks(const Evidence<Real>& e) {
   const bool seen_ahead = fitted_speaks_alone(e) && e.stem_strokes >= kFewestStrokes;
   const bool wide = exact(e.band_over_swing) >= kWidestBand;
-  const bool doubtful = kSmallSizes ? wide : e.reversals < kFewestTurns;
+  const bool turns = e.reversals >= kFewestTurns || e.stem_strokes >= kFewestStems;
+  const bool doubtful = kSmallSizes ? wide : !turns;
   if (e.form == ValveForm::kLinear || doubtful) {
     return false;
   }

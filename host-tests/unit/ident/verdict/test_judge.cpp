@@ -184,26 +184,28 @@ TEST(Judge, TheEndsOfAStepTestByHandAreNoLimits) {
   expect(judge(e, loop), Reason::kAtLimit);
 }
 
-// Of four stretches none can be so steady; but y knows nothing of a test by hand.
-TEST(Judge, AFewStepsByHandAreEnoughForAStemThatForetellsThem) {
-  const auto by_hand = [](double nats) {
+// Of four stretches none can be so steady; but a curve foretells nothing.
+TEST(Judge, AFewTurnsAreEnoughForAStemThatForetellsThem) {
+  const auto few = [](double nats) {
     Evidence<double> e = sticking();
     e.error_ratio = 20;
     e.consistency = 1.5;
     e.reversals = 4;
-    e.by_hand = true;
     e.stem_weighed = true;
     e.stem_nats = nats;
     e.ladder.nats = 5;
     e.ladder.predicted = 1000;
     return e;
   };
-  expect(judge(by_hand(20.1), false), Reason::kSticksBothStrokes);
-  expect(judge(by_hand(19.9), false), Reason::kTooFewCycles);
-  Evidence<double> controller = by_hand(100);
-  controller.by_hand = false;
-  expect(judge(controller, false), Reason::kTooFewCycles);
-  Evidence<double> curve = by_hand(100);
+  expect(judge(few(20.1), false), Reason::kSticksBothStrokes);
+  expect(judge(few(19.9), false), Reason::kTooFewCycles);
+  Evidence<double> one = few(100);
+  one.reversals = 1;
+  one.stem_strokes = 4;
+  expect(judge(one, false), Reason::kSticksBothStrokes);
+  one.stem_strokes = 3;
+  expect(judge(one, false), Reason::kTooFewCycles);
+  Evidence<double> curve = few(100);
   curve.error_ratio = 2.5;
   expect(judge(curve, false), Reason::kTooFewCycles);
 }
