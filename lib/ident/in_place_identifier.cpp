@@ -160,6 +160,11 @@ bool InPlaceIdentifier<Real, Capacity>::work(int budget) {
     case Stage::kStemConfirmed:
     case Stage::kBesideSetpoint:
       return closed_loop().step(budget);
+    case Stage::kBesideCurve:
+      if constexpr (kStemSearch) {
+        return evidence_stage().curved.step(budget);
+      }
+      return true;
     case Stage::kGap:
       return look_for_gap(budget);
     default:
@@ -248,6 +253,8 @@ void InPlaceIdentifier<Real, Capacity>::judge_loop() {
       return take_searched_stem();
     case Stage::kBesideSetpoint:
       return take_beside_setpoint();
+    case Stage::kBesideCurve:
+      return take_beside_curve();
     default:
       return take_verdict();
   }

@@ -15,6 +15,7 @@
 #include "ident/base/limits.hpp"
 #include "ident/evidence/bounded_stem.hpp"
 #include "ident/evidence/closed_loop_evidence.hpp"
+#include "ident/evidence/curved_ladder.hpp"
 #include "ident/evidence/cycle_memory.hpp"
 #include "ident/evidence/evidence_pool.hpp"
 #include "ident/evidence/stem_search.hpp"
@@ -130,6 +131,7 @@ class InPlaceIdentifier {
     kStemSearched,
     kStemConfirmed,
     kBesideSetpoint,
+    kBesideCurve,
     kJudge,
     kGapStem,
     kGapOutput,
@@ -173,6 +175,8 @@ class InPlaceIdentifier {
   void take_searched_stem();
   void look_beside_setpoint();
   void take_beside_setpoint();
+  void look_beside_curve();
+  void take_beside_curve();
   void take_verdict();
   void tell_bands_seen_ahead();
   void take_stem();
@@ -230,6 +234,8 @@ class InPlaceIdentifier {
     ClosedLoopEvidence<Real> asked;
     [[no_unique_address]] std::conditional_t<kStemSearch, StemSearch<Real>, LeftOut>
         search;
+    [[no_unique_address]] std::conditional_t<kStemSearch, CurvedLadder<Real>, LeftOut>
+        curved;
   };
   using GapStage = std::conditional_t<kModelGap, ModelGap<Real>, LeftOut>;
 

@@ -94,13 +94,12 @@ void InPlaceIdentifier<Real, Capacity>::take_searched_stem() {
 // (E20) The stronger stem once more, where a setpoint that moves may do its work.
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_beside_setpoint() {
-  stage_ = Stage::kJudge;
   if constexpr (kStemSearch) {
     const Evidence<Real>& e = result_.evidence;
     const auto moved = [this](Real sp) { return sp != setpoint_[0]; };
     if (!(nats_of_stems(e, Real(0)) > Real(0)) ||
         std::none_of(setpoint_.begin(), setpoint_.end(), moved)) {
-      return;
+      return look_beside_curve();
     }
     closed_loop().start_beside_setpoint(
         evidence_window(valve_stage().sums),
@@ -115,6 +114,34 @@ void InPlaceIdentifier<Real, Capacity>::take_beside_setpoint() {
   if constexpr (kStemSearch) {
     result_.evidence.beside_setpoint = {closed_loop().predicted() > 0,
                                         closed_loop().nats()};
+  }
+  look_beside_curve();
+}
+
+// (E23) Whether a stem is needed at all in turns that are few.
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::look_beside_curve() {
+  stage_ = Stage::kJudge;
+  if constexpr (kStemSearch) {
+    const Evidence<Real>& e = result_.evidence;
+    if (e.reversals < kTenCycles &&
+        (e.form != ValveForm::kLinear || exact(best_nats(e)) > Threshold(kNoNats))) {
+      evidence_stage().curved.start(
+          evidence_window(valve_stage().sums), setpoint_,
+          {chosen_valve(), e.band_over_swing * movement_.swing,
+           e.form == ValveForm::kLinear ? 0 : free_parameters(e.form)});
+      stage_ = Stage::kBesideCurve;
+    }
+  }
+}
+
+template <class Real, std::size_t Capacity>
+void InPlaceIdentifier<Real, Capacity>::take_beside_curve() {
+  if constexpr (kStemSearch) {
+    const CurvedLadder<Real>& curved = evidence_stage().curved;
+    result_.evidence.curved = {curved.known(), curved.nats(),
+                               curved.narrower_band() / movement_.swing,
+                               curved.wider_band() / movement_.swing};
   }
   stage_ = Stage::kJudge;
 }

@@ -23,6 +23,7 @@ void OneStepSums<Real>::start(std::span<const LagBin> bins) {
   if constexpr (kStemSearch) {
     more_.second = {};
     more_.setpoint_bins = {};
+    more_.bent = false;
   }
 }
 
@@ -39,12 +40,13 @@ void OneStepSums<Real>::stand_beside(const ThinnedSignal<Real>& setpoint) {
   }
 }
 
-// Bins of v at some successive samples, from row[column] on. The sum of a bin of several
-// lags follows from the one before it.
+// Bins of the values of v at some successive samples, from row[column] on. The sum of a
+// bin of several lags follows from the one before it.
 template <class Real>
+template <class Value>
 void OneStepSums<Real>::lay(std::span<const LagBin> bins, const ThinnedSignal<Real>& v,
                             std::size_t t, std::size_t count, Rows& rows,
-                            std::size_t column) {
+                            std::size_t column, Value value) {
   const std::size_t thinning = v.thinning;
   const Real each = Real(1) / static_cast<Real>(thinning);
   Real means[kTogether] = {};
@@ -56,18 +58,18 @@ void OneStepSums<Real>::lay(std::span<const LagBin> bins, const ThinnedSignal<Re
     const Real share = each / static_cast<Real>(bin.last - bin.first + 1);
     Real sum = 0;
     for (const Real* at = oldest; at < newest; ++at) {
-      sum += *at;
+      sum += value(*at);
     }
     for (std::size_t k = 0; k < count; ++k) {
       sum = single ? Real(0) : sum;
       for (std::size_t s = 0; s < thinning; ++s) {
-        sum += *newest++;
+        sum += value(*newest++);
       }
       const Real mean = sum * share;
       rows[k][column + b] = b == 0 ? mean : means[k] - mean;
       means[k] = mean;
       for (std::size_t s = 0; s < thinning; ++s) {
-        sum -= *oldest++;
+        sum -= value(*oldest++);
       }
     }
   }
@@ -81,9 +83,27 @@ void OneStepSums<Real>::lay_setpoint(std::size_t t, std::size_t count, Rows& row
     if (more_.setpoint_bins.empty()) {
       return;
     }
-    lay(more_.setpoint_bins, more_.setpoint, t, count, rows, column);
+    lay(more_.setpoint_bins, more_.setpoint, t, count, rows, column,
+        [](Real value) { return value; });
     for (std::size_t k = 0; k < count; ++k) {
       rows[k][column] -= more_.setpoint.values[0];
+    }
+  }
+}
+
+// What stands beside z.
+template <class Real>
+void OneStepSums<Real>::lay_second(std::span<const Real> z, std::size_t t,
+                                   std::size_t count, Rows& rows) const {
+  if constexpr (kStemSearch) {
+    const std::size_t column = outputs() + bins_.size();
+    const auto bent = [centre = more_.centre](Real v) {
+      return (v - centre) * (v - centre);
+    };
+    if (more_.bent) {
+      lay(bins_, {z}, t, count, rows, column, bent);
+    } else if (!more_.second.values.empty()) {
+      lay_bins(more_.second, t, count, rows, column);
     }
   }
 }
@@ -108,11 +128,7 @@ void OneStepSums<Real>::add(std::span<const Real> y, std::span<const Real> z,
       lay_setpoint(t, count, rows, bins_.size() + 2);
       if (!z.empty()) {
         lay_bins({z}, t, count, rows, outputs());
-        if constexpr (kStemSearch) {
-          if (inputs() > 1) {
-            lay_bins(more_.second, t, count, rows, outputs() + bins_.size());
-          }
-        }
+        lay_second(z, t, count, rows);
       }
       multiply(rows, from, to, block);
     }
@@ -142,7 +158,23 @@ template <class Real>
 void OneStepSums<Real>::begin_input(const ThinnedSignal<Real>& second) {
   if constexpr (kStemSearch) {
     more_.second = second;
+    more_.bent = false;
   }
+  clear_inputs();
+}
+
+template <class Real>
+void OneStepSums<Real>::begin_bent_input(Real centre) {
+  if constexpr (kStemSearch) {
+    more_.second = {};
+    more_.centre = centre;
+    more_.bent = true;
+  }
+  clear_inputs();
+}
+
+template <class Real>
+void OneStepSums<Real>::clear_inputs() {
   std::fill(sums_.begin() + static_cast<std::ptrdiff_t>(place(outputs(), 0)), sums_.end(),
             Real(0));
 }

@@ -29,7 +29,7 @@ struct ThinnedSignal {
 ///
 /// Life: `start`, `add` over all rows without a z, then for each z `begin_input`, `add`
 /// over the same rows, `error`; where `begin_input` is given a second signal, it stands
-/// beside z.
+/// beside z, as after `begin_bent_input` its square does.
 /// And, while z is u, `begin_planted`, `add_planted` over the rows, `planted`,
 /// `planted_by_noise`. A row is one predicted sample. The columns are differences of
 /// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
@@ -55,6 +55,8 @@ class OneStepSums {
   /// Where stems are searched, and with coarse lags, `second`, which must outlive the
   /// rows, may stand beside each z.
   void begin_input(const ThinnedSignal<Real>& second = {});
+  /// Where stems are searched, and with coarse lags: (z − centre)² stands beside z.
+  void begin_bent_input(Real centre);
   /// Rows first … last − 1 of y, `first` at least reach(): products with the lags of z
   /// and of what is beside it, or, where z is empty, those of y alone.
   void add(std::span<const Real> y, std::span<const Real> z, std::size_t first,
@@ -108,17 +110,22 @@ class OneStepSums {
   }
   [[nodiscard]] std::size_t inputs() const {
     if constexpr (kStemSearch) {
-      return more_.second.values.empty() ? 1 : 2;
+      return more_.second.values.empty() && !more_.bent ? 1 : 2;
     } else {
       return 1;
     }
   }
+  void clear_inputs();
+  template <class Value>
   static void lay(std::span<const LagBin> bins, const ThinnedSignal<Real>& v,
-                  std::size_t t, std::size_t count, Rows& rows, std::size_t column);
+                  std::size_t t, std::size_t count, Rows& rows, std::size_t column,
+                  Value value);
   void lay_bins(const ThinnedSignal<Real>& v, std::size_t t, std::size_t count,
                 Rows& rows, std::size_t column) const {
-    lay(bins_, v, t, count, rows, column);
+    lay(bins_, v, t, count, rows, column, [](Real value) { return value; });
   }
+  void lay_second(std::span<const Real> z, std::size_t t, std::size_t count,
+                  Rows& rows) const;
   void lay_setpoint(std::size_t t, std::size_t count, Rows& rows,
                     std::size_t column) const;
   void add_products(const Row& bins_of_w, const Row& columns_of_z);
@@ -144,6 +151,8 @@ class OneStepSums {
     ThinnedSignal<Real> second;
     ThinnedSignal<Real> setpoint;
     std::span<const LagBin> setpoint_bins;  // empty: no setpoint
+    Real centre = 0;
+    bool bent = false;  // the square of z around it stands beside z
   };
   struct NoMore {};
   [[no_unique_address]] std::conditional_t<kStemSearch, More, NoMore> more_;

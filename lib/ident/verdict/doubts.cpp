@@ -162,8 +162,15 @@ Reason doubt_setpoint(Reason found, const Evidence<Real>& e) {
 }
 
 template <class Real>
+Reason doubt_curved(Reason found, const Evidence<Real>& e) {
+  const bool needed = !e.curved.weighed || e.curved.nats > Real(0);
+  return is_fault(verdict_of(found)) && !needed ? Reason::kEvidenceTooWeak : found;
+}
+
+template <class Real>
 Reason doubt_bands(Reason found, const Evidence<Real>& e, const PerStroke<Real>& fitted) {
-  const bool ahead = exact(best_nats(e)) > Threshold(kAgreedNats);
+  const bool ahead =
+      exact(std::max(best_nats(e), Real(e.curved.nats))) > Threshold(kAgreedNats);
   return is_fault(verdict_of(found)) && reach_zero(fitted) && !ahead
              ? Reason::kEvidenceTooWeak
              : found;
@@ -189,6 +196,7 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
     reason = doubt_few_turns(reason, e, facts.two_path_fit);
     reason = doubt_bounded(reason, e);
     reason = doubt_setpoint(reason, e);
+    reason = doubt_curved(reason, e);
   }
   return doubt_bands(reason, e, fitted);
 }
@@ -206,6 +214,7 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
   template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);              \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);                 \
   template Reason doubt_setpoint<Real>(Reason, const Evidence<Real>&);             \
+  template Reason doubt_curved<Real>(Reason, const Evidence<Real>&);               \
   template bool few_turns<Real>(const Evidence<Real>&);                            \
   template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real);      \
   template Reason doubt_bands<Real>(Reason, const Evidence<Real>&,                 \

@@ -67,6 +67,11 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_setpoint(Reason found, const Evidence<Real>& evidence);
 
+/// What a fault in a few turns of u is where a bent characteristic and the setpoint leave
+/// the stem nothing to tell (E23): left open.
+template <class Real>
+[[nodiscard]] Reason doubt_curved(Reason found, const Evidence<Real>& evidence);
+
 /// What intervals of both stick bands that reach 0 leave of a fault, `fitted` running
 /// free: nothing firm, unless a stem says more than a little one sample ahead.
 template <class Real>

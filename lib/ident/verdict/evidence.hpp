@@ -60,6 +60,16 @@ struct StemBesideSetpoint {
   Real nats = 0;
 };
 
+/// What a stem tells beside a bent characteristic and the setpoint (E23): bands over the
+/// usual swing of u.
+template <class Real>
+struct CurvedFinding {
+  bool weighed = false;
+  Real nats = 0;
+  Real narrower_band = 0;
+  Real wider_band = 0;
+};
+
 /// What is asked where stems are searched.
 template <class Real, bool kSearched = kStemSearch>
 struct StemEvidence {
@@ -68,6 +78,7 @@ struct StemEvidence {
   BoundedFinding<Real> bounded;
   StemBesideU<Real> beside_u;
   StemBesideSetpoint<Real> beside_setpoint;
+  CurvedFinding<Real> curved;
   /// Of a step test by hand (E21): wider stick bands are excluded, over the usual swing
   /// of u; 0: unknown.
   Real excluded_above = 0;
@@ -83,6 +94,7 @@ struct StemEvidence<Real, false> {
   static constexpr BoundedFinding<Real> bounded = {};
   static constexpr StemBesideU<Real> beside_u = {};
   static constexpr StemBesideSetpoint<Real> beside_setpoint = {};
+  static constexpr CurvedFinding<Real> curved = {};
   static constexpr Real excluded_above = 0;
   static constexpr Real uneven_ratio = 0;
 };

@@ -65,6 +65,8 @@ constexpr Threshold kMoreCycles = Threshold(0.66);
 constexpr Threshold kWellExplained = Threshold(80);
 // The same band, seen in two ways, within this factor.
 constexpr Threshold kSameBand = Threshold(1.5);
+// The same where a valve fitted to a few turns, under loads, is compared.
+constexpr Threshold kMuchTheSame = Threshold(2);
 // A stem whose band is narrower than this share of the swing leaves out the noise that
 // the controller passes on to u, and with it foretells a load that comes in steps: it is
 // believed where a valve that was fitted running free has the same band.
@@ -164,6 +166,18 @@ template <class Real>
 bool better_in_few_turns(const Evidence<Real>& e) {
   const bool few = e.reversals >= kFewestTurns && e.reversals < kFiveCycles;
   return few && steadily_better(e) && confirmation(e) > kFewTurns;
+}
+
+// Better running free, and one sample ahead where a bent characteristic and the setpoint
+// are known, by much the same band.
+template <class Real>
+bool better_beside_curve(const Evidence<Real>& e) {
+  const Threshold band = exact(e.band_over_swing);
+  return kStemSearch && e.reversals < kFiveCycles && exact(e.score) > kEnough &&
+         exact(e.error_ratio) > kLarge && exact(e.consistency) > 0 &&
+         exact(e.curved.nats) > Threshold(kNoNats) &&
+         exact(e.curved.narrower_band) * kMuchTheSame > band &&
+         exact(e.curved.wider_band) < band * kMuchTheSame;
 }
 
 // Whether a rung of the ladder alone says so, where no fitted valve does and none of
@@ -320,7 +334,7 @@ bool fitted_valve_sticks(const Evidence<Real>& e) {
                      (load_may_hide(e) || exact(e.error_ratio) > kBetter);
   return (convinces(e) && nats > kConfirmed) ||
          (better_in_most_cycles(e) && nats > Threshold(kAgreedNats)) ||
-         better_in_few_turns(e) || alone;
+         better_in_few_turns(e) || better_beside_curve(e) || alone;
 }
 
 template <class Real>
@@ -365,38 +379,17 @@ Reason judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   return qualified(nothing_found(e, loop.oscillates, !loop.oscillates), e, loop);
 }
 
-template <class Real>
-Reason strokes_that_stick(Reason reason, const PerStroke<Real>& band) {
-  if (reason != Reason::kSticksBothStrokes && reason != Reason::kSticksAscending &&
-      reason != Reason::kSticksDescending) {
-    return reason;
-  }
-  const bool up = band.ascending.low > Real(0);
-  const bool down = band.descending.low > Real(0);
-  if (up && down) {
-    return Reason::kSticksBothStrokes;
-  }
-  if (up && band.descending.high < band.ascending.low) {
-    return Reason::kSticksAscending;
-  }
-  if (down && band.ascending.high < band.descending.low) {
-    return Reason::kSticksDescending;
-  }
-  return Reason::kStrokesUnresolved;
-}
-
-#define STICKBAND_INSTANTIATE(Real)                                         \
-  template Reason strokes_that_stick<Real>(Reason, const PerStroke<Real>&); \
-  template Real beyond_rivals<Real>(const Evidence<Real>&, Real);           \
-  template bool fitted_valve_sticks<Real>(const Evidence<Real>&);           \
-  template bool load_may_hide<Real>(const Evidence<Real>&);                 \
-  template bool may_stick_together<Real>(const Evidence<Real>&);            \
-  template bool searched_stem_sticks<Real>(const Evidence<Real>&);          \
-  template bool searched_stem_is_told<Real>(const Evidence<Real>&,          \
-                                            const PerStroke<Real>&);        \
-  template bool better_running_free<Real>(const Evidence<Real>&);           \
-  template Reason judge_unfitted<Real>(const Evidence<Real>&,               \
-                                       const LoopEvidence<Real>&);          \
+#define STICKBAND_INSTANTIATE(Real)                                  \
+  template Real beyond_rivals<Real>(const Evidence<Real>&, Real);    \
+  template bool fitted_valve_sticks<Real>(const Evidence<Real>&);    \
+  template bool load_may_hide<Real>(const Evidence<Real>&);          \
+  template bool may_stick_together<Real>(const Evidence<Real>&);     \
+  template bool searched_stem_sticks<Real>(const Evidence<Real>&);   \
+  template bool searched_stem_is_told<Real>(const Evidence<Real>&,   \
+                                            const PerStroke<Real>&); \
+  template bool better_running_free<Real>(const Evidence<Real>&);    \
+  template Reason judge_unfitted<Real>(const Evidence<Real>&,        \
+                                       const LoopEvidence<Real>&);   \
   template Reason judge<Real>(const Evidence<Real>&, const LoopEvidence<Real>&);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

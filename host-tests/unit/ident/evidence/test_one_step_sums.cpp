@@ -177,6 +177,28 @@ TEST(OneStepSums, PutASecondSignalBesideTheFirst) {
   EXPECT_NEAR(sums.error() / alone, 1, 1e-12);
 }
 
+TEST(OneStepSums, PutTheSquareOfASignalBesideIt) {
+  const Problem problem = rough(6, 700);
+  Signal square = problem.z;
+  for (double& value : square) {
+    value = (value - 0.7) * (value - 0.7);
+  }
+  OneStepSums<double> sums;
+  sums.start(lags(12));
+  sum(sums, problem.y, problem.z, 64);
+  const double alone = sums.error();
+  sums.begin_bent_input(0.7);
+  sums.add(problem.y, problem.z, sums.reach(), problem.y.size());
+  const double bent = sums.error();
+  EXPECT_LT(bent, alone);
+  sums.begin_input({square});
+  sums.add(problem.y, problem.z, sums.reach(), problem.y.size());
+  EXPECT_NEAR(bent / sums.error(), 1, 1e-12);
+  sums.begin_input();
+  sums.add(problem.y, problem.z, sums.reach(), problem.y.size());
+  EXPECT_NEAR(sums.error() / alone, 1, 1e-12);
+}
+
 TEST(OneStepSums, TakeTheSignalThatDrivesYForTheBetterOne) {
   const Problem problem = rough(8, 800);
   Problem foreign = problem;

@@ -140,6 +140,13 @@ TEST(Doubts, LeaveAFaultOpenWhoseBandsReachNothing) {
     // A stem speaks, too.
     EXPECT_EQ(judged(fault, 0, 25.1), fault);
   }
+  if (kStemSearch) {
+    Evidence<double> e = sticking();
+    e.ladder.nats = 0;
+    e.curved = {true, 26, 0.5, 0.5};
+    const PerStroke<double> reaching{{true, 5, 0, 6}, {true, 4, 0, 6}};
+    EXPECT_EQ(doubt_bands(Reason::kDeadbandOnly, e, reaching), Reason::kDeadbandOnly);
+  }
   EXPECT_EQ(judged(Reason::kLinearExplains, 0, 25), Reason::kLinearExplains);
 }
 
@@ -254,6 +261,18 @@ TEST(Doubts, LeaveAFaultOpenWhereTheSetpointDoesItsWork) {
   e.beside_setpoint = {true, 0};
   EXPECT_EQ(doubt_setpoint(found, e), Reason::kSetpointMoves);
   EXPECT_EQ(doubt_setpoint(Reason::kLinearExplains, e), Reason::kLinearExplains);
+}
+
+TEST(Doubts, LeaveAFaultOpenThatACurveAndTheSetpointMake) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  Evidence<double> e = sticking();
+  const Reason found = Reason::kSticksBothStrokes;
+  EXPECT_EQ(doubt_curved(found, e), found) << "not asked";
+  e.curved = {true, 1, 0.5, 0.5};
+  EXPECT_EQ(doubt_curved(found, e), found);
+  e.curved.nats = 0;
+  EXPECT_EQ(doubt_curved(found, e), Reason::kEvidenceTooWeak);
+  EXPECT_EQ(doubt_curved(Reason::kLinearExplains, e), Reason::kLinearExplains);
 }
 
 TEST(Doubts, HaveNothingToSayOfAHealthyValve) {

@@ -210,6 +210,34 @@ TEST(Judge, AFewTurnsAreEnoughForAStemThatForetellsThem) {
   expect(judge(curve, false), Reason::kTooFewCycles);
 }
 
+TEST(Judge, AFewTurnsAreEnoughWhereNoCurveDoesWhatTheStemDoes) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  const auto few = [](auto change) {
+    Evidence<double> e = sticking();
+    e.error_ratio = 1.8;
+    e.consistency = 1;
+    e.score = 11;
+    e.reversals = 2;
+    e.stem_weighed = true;
+    e.stem_nats = -5;
+    e.ladder.predicted = 1000;
+    e.curved = {true, 11, e.band_over_swing * 0.6, e.band_over_swing * 1.9};
+    change(e);
+    return judge(e, false);
+  };
+  expect(few([](auto&) {}), Reason::kSticksBothStrokes);
+  expect(few([](auto& e) { e.reversals = 9; }), Reason::kSticksBothStrokes);
+  expect(few([](auto& e) { e.curved.nats = 10; }), Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.curved.narrower_band = e.band_over_swing / 2; }),
+         Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.curved.wider_band = e.band_over_swing * 2; }),
+         Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.error_ratio = 1.75; }), Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.consistency = 0; }), Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.score = 10; }), Reason::kTooFewCycles);
+  expect(few([](auto& e) { e.reversals = 1; }), Reason::kTooFewCycles);
+}
+
 TEST(Judge, ABandBelowFivePercentOfTheSwingDoesNotMatter) {
   expect(judged([](auto& e) { e.band_over_swing = 0.049; }), Reason::kBandDoesNotMatter);
   expect(judged([](auto& e) { e.band_over_swing = 0.05; }), Reason::kSticksBothStrokes);

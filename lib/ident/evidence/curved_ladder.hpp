@@ -1,0 +1,82 @@
+// Whether a stem foretells y where a bent characteristic and the setpoint are known, too.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "ident/evidence/closed_loop_evidence.hpp"
+
+namespace ident {
+
+/// The valve that was fitted running free.
+template <class Real>
+struct FittedStem {
+  StickSlipValve<Real> valve{{}, Real(0)};  ///< as it stands before the first sample
+  Real band = 0;                            ///< its wider stick band, unit of u
+  int parameters = 0;                       ///< free ones; 0: nothing sticks
+};
+
+/// (E23) Nats by which predicting y one sample ahead (E10) is better from a stem than
+/// from u where the lags of their squares stand beside both, and once more where those of
+/// the setpoint do, too. In a few turns of u a stem does what a bent characteristic does,
+/// or a controller that has just been given another setpoint; beside these it does not.
+///
+/// Life: `start`, then `step` until it says true: u and the stems of the ladder (E11)
+/// between a twenty-fifth and five quarters of the swing, one that sticks again after
+/// each slip at every rung, and the fitted one, whose strokes may differ, by coarse lags;
+/// then all of them again where the setpoint moves. Cost: a pass of two times 12 bins for
+/// each of some 70 stems, or twice as many; some kUnit thousand instructions a piece.
+template <class Real>
+class CurvedLadder {
+ public:
+  /// `setpoint`: as long as u, in any unit; or empty.
+  void start(const EvidenceWindow<Real>& window, std::span<const Real> setpoint,
+             const FittedStem<Real>& fitted);
+  /// Some pieces, `budget` units; true when done.
+  bool step(int budget);
+  /// False where the window is too short.
+  [[nodiscard]] bool known() const { return known_; }
+  /// Of the best stem after the cost of its parameters, two of a rung, when done: the
+  /// smaller number of both.
+  [[nodiscard]] Real nats() const;
+  /// The narrower and the wider stick band of the best stems, unit of u.
+  [[nodiscard]] Real narrower_band() const;
+  [[nodiscard]] Real wider_band() const;
+
+ private:
+  enum class Stage : std::uint8_t { kThin, kOutput, kInput, kDone };
+  static constexpr int kKinds = kSlips + 1;  // at each rung
+  struct Best {
+    Real nats = 0;
+    Real band = 0;
+  };
+
+  int piece();
+  void begin_sums();
+  void lay();
+  void take_error();
+  [[nodiscard]] StickSlipValve<Real> valve() const;
+  [[nodiscard]] Best worth(Real gained) const;
+  [[nodiscard]] OneStepSums<Real>& sums() const { return *window_.sums; }
+  [[nodiscard]] std::span<Real> stem() const { return window_.scratch.first(count_); }
+
+  EvidenceWindow<Real> window_;
+  std::span<const Real> setpoint_;  // empty: none that moves
+  FittedStem<Real> fitted_;
+  std::span<const Real> y_;  // thinned
+  std::size_t count_ = 0;    // of it
+  std::size_t thinning_ = 1;
+  std::size_t next_ = 0;
+  int first_ = 0;         // of the ladder's
+  int last_ = 0;          // behind these: the fitted one
+  int tried_ = 0;         // −1: u itself
+  Real log_follows_ = 0;  // of the squared error with u
+  std::array<Best, 2> best_{};
+  bool beside_ = false;  // the setpoint
+  bool known_ = false;
+  Stage stage_ = Stage::kDone;
+};
+
+}  // namespace ident
