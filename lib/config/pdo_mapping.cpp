@@ -15,11 +15,7 @@ namespace {
 constexpr int kFirstMapping = 0x1A00;
 constexpr std::size_t kMostEntries = 64;
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
+using wire::trimmed;
 
 bool same(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
@@ -41,7 +37,7 @@ std::optional<std::uint32_t> entry(std::string_view eds, std::string_view sectio
                                    std::string_view key) {
   bool inside = false;
   while (!eds.empty()) {
-    const std::string_view line = trimmed(wire::take_until(eds, '\n'));
+    const std::string_view line = trimmed(wire::take_line(eds));
     if (line.starts_with('[')) {
       inside = line.ends_with(']') && same(line.substr(1, line.size() - 2), section);
       continue;

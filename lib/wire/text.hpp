@@ -42,6 +42,22 @@ constexpr std::string_view take_until(std::string_view& rest, char mark) {
   return taken;
 }
 
+/// The first line of `rest`, without its end, `\n`, `\r` or both; `rest` goes on behind
+/// it.
+constexpr std::string_view take_line(std::string_view& rest) {
+  const std::string_view line = slice(rest, 0, rest.find_first_of("\r\n"));
+  const bool both = slice(rest, line.size(), 2) == "\r\n";
+  rest = slice(rest, line.size() + (both ? 2 : 1), rest.size());
+  return line;
+}
+
+/// Without blanks at both ends.
+constexpr std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
 /// The number that the whole of `text` is, as std::from_chars takes it; nothing where it
 /// is none, or beyond a Number. `base`: 16, say; of whole numbers.
 template <class Number, class... Base>

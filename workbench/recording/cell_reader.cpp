@@ -29,13 +29,6 @@ bool is_open(std::string_view line) {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 std::string_view take_whole_line(std::string_view& text) {
   std::string_view line = wire::take_until(text, '\n');
   if (line.ends_with('\r')) line.remove_suffix(1);

@@ -13,13 +13,11 @@ namespace workbench {
 
 inline constexpr std::size_t kMostHeaderCells = 4096;
 
-/// Without blanks and tabs at both ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
+using wire::is_line_end;
+using wire::trimmed;
 
 /// The first line of a text, without its end, LF or CRLF; it goes from the text with it.
 [[nodiscard]] std::string_view take_whole_line(std::string_view& text);
-
-using wire::is_line_end;
 
 /// Splits one line; a quoted cell may contain the separator, and the id of an OPC UA node
 /// a semicolon. Several blanks separate

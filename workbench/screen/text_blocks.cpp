@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "wire/text.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/text_encoding.hpp"
 #include "workbench/recording/text_file.hpp"
@@ -89,14 +90,7 @@ std::string_view TextBlocks::next() {
 }
 
 std::string_view without_lines(std::string_view block, std::size_t& lines_left) {
-  while (lines_left > 0 && !block.empty()) {
-    const std::size_t end = block.find_first_of("\r\n");
-    if (end == std::string_view::npos) return {};
-    const bool crlf =
-        block[end] == '\r' && end + 1 < block.size() && block[end + 1] == '\n';
-    block.remove_prefix(end + (crlf ? 2 : 1));
-    --lines_left;
-  }
+  for (; lines_left > 0 && !block.empty(); --lines_left) (void)wire::take_line(block);
   return block;
 }
 

@@ -17,11 +17,7 @@ void append_plain(std::string_view text, std::string& out) {
 }  // namespace
 
 std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = trimmed(text.substr(0, end));
-  text.remove_prefix(
-      std::min(end + (text.substr(end).starts_with("\r\n") ? 2U : 1U), text.size()));
-  return line;
+  return trimmed(wire::take_line(text));
 }
 
 std::size_t NamedRows::column_of(std::string_view name) {
