@@ -7,6 +7,7 @@
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
 #include "hal/message.hpp"
+#include "wire/candump_reader.hpp"
 
 namespace hal {
 
@@ -16,7 +17,7 @@ enum class ReplayPace : unsigned char {
 };
 
 /// Reads the whole log at open(); frames sent are discarded. Lines of CAN XL are passed
-/// over and counted as drops; a last line that was cut is left out (wire::is_cut_short).
+/// over and counted as drops; a last line that was cut is left out.
 class CandumpFile final : public CanBus {
  public:
   static constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
@@ -38,7 +39,7 @@ class CandumpFile final : public CanBus {
   /// Whether reading ended at a line that is none, which error() tells.
   [[nodiscard]] bool failed() const { return failed_; }
   /// Number of the last line where it was cut and left out; 0: it was not, so far.
-  [[nodiscard]] std::size_t cut_line() const { return cut_line_; }
+  [[nodiscard]] std::size_t cut_line() const { return log_.cut_line(); }
 
  private:
   bool next(ReceivedFrame& out);
@@ -48,12 +49,7 @@ class CandumpFile final : public CanBus {
   ReplayPace pace_;
   const Clock& clock_;
   std::string text_;
-  std::size_t at_ = 0;
-  std::size_t line_ = 0;
-  std::size_t cut_line_ = 0;
-  bool any_ = false;           // a line was read as a frame
-  bool deltas_ = false;        // relative times are since the line before
-  std::int64_t clock_ns_ = 0;  // sum of these
+  wire::CandumpReader log_;  // of the text
   bool failed_ = false;
   bool pending_ = false;
   ReceivedFrame next_;

@@ -14,7 +14,7 @@
 #include "hal/descriptor.hpp"
 #include "hal/slcan_client.hpp"
 #include "hal/socketcan.hpp"
-#include "wire/candump.hpp"
+#include "wire/candump_reader.hpp"
 
 namespace firmware {
 namespace {
@@ -28,35 +28,22 @@ std::size_t read_log(const std::string& path, FrameSurvey& survey) {
   if (!config::read_text(path, kMostLogBytes, text, error)) {
     throw config::ConfigError(path + ": " + error);
   }
-  const bool deltas = wire::candump_times_are_deltas(text);
-  std::int64_t sum_ns = 0;
-  std::size_t number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = std::string_view(text).substr(at, end - at);
-    at = end + 1;
-    ++number;
-    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    wire::CandumpLine parsed;
-    const wire::CandumpStatus status = wire::parse_candump(line, parsed);
-    if (status.error == wire::CandumpError::kXlFrame) continue;
-    if (!status.ok() && end == text.size() && survey.frames() > 0 &&
-        wire::is_cut_short(line, status.column)) {
-      return number;
-    }
-    if (!status.ok()) {
-      throw config::ConfigError(path + ':' + std::to_string(number) + ':' +
-                                std::to_string(status.column) + ": expected " +
-                                wire::expected_at(status.error) +
+  wire::CandumpReader log(text);
+  while (log.next()) {
+    if (log.is_xl()) continue;
+    if (!log.status().ok()) {
+      throw config::ConfigError(path + ':' + std::to_string(log.number()) + ':' +
+                                std::to_string(log.status().column) + ": expected " +
+                                wire::expected_at(log.status().error) +
                                 "; repair the line or record with candump -L");
     }
-    if (parsed.relative && deltas) parsed.time_ns = sum_ns += parsed.time_ns;
-    survey.take(std::string(parsed.interface), parsed.time_ns / 1000, parsed.frame);
+    const wire::CandumpLine& line = log.line();
+    survey.take(std::string(line.interface), line.time_ns / 1000, line.frame);
   }
   if (survey.frames() == 0) {
     throw config::ConfigError(path + ": expected frames, found none; name a candump log");
   }
-  return 0;
+  return log.cut_line();
 }
 
 std::unique_ptr<hal::CanBus> open_bus(const std::string& name) {

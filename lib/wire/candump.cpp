@@ -139,10 +139,13 @@ CandumpStatus take_fd_data(Cursor& cursor, CanFrame& frame) {
   return is_fd_length(frame.dlc) ? CandumpStatus{} : cursor.fail(CandumpError::kFdLength);
 }
 
-// The length in brackets: one digit, of CAN FD two.
+// The length in brackets: one digit, of CAN FD two, of CAN XL four.
 CandumpStatus take_screen_length(Cursor& cursor, CanFrame& frame) {
   (void)cursor.accept('[');
   if (!is_digit(cursor.peek())) return cursor.fail(CandumpError::kData);
+  if (is_digit(cursor.peek(1)) && is_digit(cursor.peek(2))) {
+    return cursor.fail(CandumpError::kXlFrame);
+  }
   frame.fd = is_digit(cursor.peek(1));
   const Cursor before = cursor;
   int length = cursor.take() - '0';
@@ -288,24 +291,6 @@ CandumpStatus parse_candump(std::string_view line, CandumpLine& out) {
     return cursor.fail(CandumpError::kTrailing);
   }
   return cursor.at_end() ? CandumpStatus{} : cursor.fail(CandumpError::kTrailing);
-}
-
-bool candump_times_are_deltas(std::string_view text) {
-  std::int64_t before_ns = 0;
-  while (!text.empty()) {
-    CandumpLine line;
-    if (!parse_candump(take_until(text, '\n'), line).ok() || !line.relative) continue;
-    if (line.time_ns < before_ns) return true;
-    before_ns = line.time_ns;
-  }
-  return false;
-}
-
-bool is_cut_short(std::string_view line, std::size_t column) {
-  constexpr std::size_t kLongestWord = 8;  // an extended identifier, blamed at its start
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && line[first] == '(' && column > 0 &&
-         column + kLongestWord > line.size();
 }
 
 std::size_t format_candump(const CandumpLine& line, std::span<char> out) {

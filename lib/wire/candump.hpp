@@ -6,7 +6,7 @@
 // (1 bit rate switch, 2 error state) a CAN FD frame of up to 64 bytes, or an error frame,
 // which some converters write so; a last field R or
 // T (direction) is ignored. What candump shows on a screen with `-t a`, `-t z` or `-t d`
-// is read too; a length of two digits is that of a CAN FD frame:
+// is read too; a length of two digits is that of a CAN FD frame, of four of CAN XL:
 //   (1436509052.249713)  vcan0  044   [5]  2A 36 6C 2B BA
 //   (1436509052.249713)  vcan0  044  [05]  2A 36 6C 2B BA
 // Without times (`-t` not given) or with dates (`-t A`) it is not. Frames of CAN XL are
@@ -54,11 +54,6 @@ struct CandumpLine {
   bool relative = false;  ///< on a screen, with less than ten digits: -t z or -t d
 };
 
-/// What relative times mean, which a single line does not show: since the start (-t z),
-/// or, if one of them is less than that before, since the line before (-t d). One pass
-/// over the text.
-[[nodiscard]] bool candump_times_are_deltas(std::string_view text);
-
 inline constexpr std::size_t kMaxInterfaceName = 15;
 /// Longest text format_candump() writes.
 inline constexpr std::size_t kMaxCandumpLine = 192;
@@ -66,12 +61,6 @@ inline constexpr std::size_t kMaxCandumpLine = 192;
 /// Parses one line without its line end (a final '\r' and blanks are accepted).
 /// `out` is complete on success and for kXlFrame all but the frame.
 [[nodiscard]] CandumpStatus parse_candump(std::string_view line, CandumpLine& out);
-
-/// Whether `line`, the last one of a log and without a newline, is the beginning of a
-/// frame rather than broken: of a log that was cut while it was written, by a full disk,
-/// the copy of a running recording or the power. parse_candump() failed at `column`,
-/// counted from 1, where at most one word that is not complete is left.
-[[nodiscard]] bool is_cut_short(std::string_view line, std::size_t column);
 
 /// Writes `line` as candump -L does, microseconds unless nanoseconds are needed, no
 /// line end. Returns the characters written, 0 when `out` is too small, a field out

@@ -135,17 +135,6 @@ TEST(Candump, ReadsTheScreenWithTimes) {
       << "without times nothing can be said";
 }
 
-TEST(Candump, RelativeTimesThatGoBackAreDeltas) {
-  EXPECT_TRUE(
-      candump_times_are_deltas(" (000.000000)  can0  123   [1]  11\n"
-                               " (001.000100)  can0  123   [1]  11\n"
-                               " (000.999900)  can0  123   [1]  11\n"));
-  EXPECT_FALSE(
-      candump_times_are_deltas(" (000.000000)  can0  123   [1]  11\n"
-                               " (001.000100)  can0  123   [1]  11\r\n"
-                               "(000.999900) can0 123#11"));
-}
-
 TEST(Candump, ReadsCanFd) {
   const CandumpLine line = parsed("(2.5) can1 123##3AABB");
   EXPECT_EQ(line.time_ns, 2'500'000'000);
@@ -219,32 +208,6 @@ TEST(Candump, AnXlIdentifierIsNamed) {
   EXPECT_EQ(status_of("(1.0) can0 12345#81:00:12345678#11").error,
             CandumpError::kXlFrame);
   EXPECT_EQ(status_of("(1.0) can0 12345 00").error, CandumpError::kIdentifier);
-}
-
-TEST(Candump, IsCutShortWhereverALineEnds) {
-  for (const std::string_view line : {"(1700000125.000000) can0 18DAF110#551201",
-                                      "(1700000125.000000) can0 18F##1001122",
-                                      " (1700000125.500000)  can0  18E   [2]  33 44"}) {
-    for (std::size_t length = 2; length < line.size(); ++length) {
-      CandumpLine parsed;
-      const std::string_view part = line.substr(0, length);
-      const CandumpStatus status = parse_candump(part, parsed);
-      if (!status.ok()) {
-        EXPECT_TRUE(is_cut_short(part, status.column)) << part;
-      }
-    }
-  }
-}
-
-TEST(Candump, IsNotCutShortWhereMoreFollowsOrNothingBegins) {
-  for (const std::string_view line : {"t;u;y", "(1700000125.000000)", ""}) {
-    EXPECT_FALSE(is_cut_short(line, 1)) << line;
-  }
-  constexpr std::string_view kBroken = "(1700000125.000000) can0 18Z#5512010000";
-  CandumpLine parsed;
-  const CandumpStatus status = parse_candump(kBroken, parsed);
-  ASSERT_FALSE(status.ok());
-  EXPECT_FALSE(is_cut_short(kBroken, status.column));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "config/source_reader.hpp"
-#include "wire/candump.hpp"
+#include "wire/candump_reader.hpp"
 #include "wire/j1939.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/stopped.hpp"
@@ -47,18 +47,14 @@ class LogReader {
  public:
   LogReader(std::string_view text, const std::string& name,
             std::vector<CanSeries>& series, const std::stop_token& stop)
-      : text_(text),
-        name_(name),
-        series_(series),
-        stop_(stop),
-        deltas_(wire::candump_times_are_deltas(text)) {}
+      : name_(name), series_(series), stop_(stop), log_(text) {}
 
   void read() {
     forget_absent_interfaces();
-    for_lines([this](std::string_view line, bool last) {
-      ++line_;
-      take_line(line, last);
-    });
+    while (log_.next()) {
+      check_stop(stop_);
+      take_line(log_.line());
+    }
     if (lines_ == 0) {
       fail(1, 1, "lines of a candump log", "an empty file", "record with candump -l");
     }
@@ -69,32 +65,21 @@ class LogReader {
   }
 
   [[nodiscard]] std::size_t unsupported() const { return unsupported_; }
-  [[nodiscard]] std::size_t cut_line() const { return cut_line_; }
+  [[nodiscard]] std::size_t cut_line() const { return log_.cut_line(); }
   [[nodiscard]] double start_s() const { return static_cast<double>(base_ns_) * 1e-9; }
 
  private:
-  template <class Take>
-  void for_lines(Take&& take) const {
-    std::size_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    while (at < text_.size()) {
-      check_stop(stop_);
-      const std::size_t end = std::min(text_.find_first_of("\r\n", at), text_.size());
-      take(text_.substr(at, end - at), end == text_.size());
-      at = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
-    }
-  }
-
   // A log may have been recorded where the interface has another name.
   void forget_absent_interfaces() {
     const bool given = std::ranges::any_of(
         series_, [](const CanSeries& s) { return !s.interface.empty(); });
     if (!given) return;
     std::set<std::string, std::less<>> found;
-    for_lines([&found](std::string_view line, bool) {
-      wire::CandumpLine parsed;
-      const bool read = wire::parse_candump(line, parsed).ok();
-      if (read && !found.contains(parsed.interface)) found.emplace(parsed.interface);
-    });
+    for (wire::CandumpReader log = log_; log.next();) {
+      check_stop(stop_);
+      const std::string_view name = log.line().interface;
+      if (log.status().ok() && !found.contains(name)) found.emplace(name);
+    }
     for (CanSeries& s : series_) {
       if (!found.contains(s.interface)) {
         s.interface.clear();
@@ -110,31 +95,21 @@ class LogReader {
                      std::move(advice));
   }
 
-  void take_line(std::string_view line, bool last) {
-    if (line.find_first_not_of(" \t") == std::string_view::npos) return;
-    wire::CandumpLine parsed;
-    const wire::CandumpStatus status = wire::parse_candump(line, parsed);
-    const bool unsupported = status.error == wire::CandumpError::kXlFrame;
-    if (!status.ok() && last && lines_ > 0 && wire::is_cut_short(line, status.column)) {
-      cut_line_ = line_;
-      return;
+  void take_line(const wire::CandumpLine& line) {
+    const wire::CandumpStatus& status = log_.status();
+    if (!status.ok() && !log_.is_xl()) {
+      const std::string_view text = log_.text();
+      const std::string_view rest = text.substr(std::min(status.column - 1, text.size()));
+      fail(log_.number(), status.column, wire::expected_at(status.error),
+           rest.empty() ? "the end of the line" : quoted(rest), log_.cure());
     }
-    if (!status.ok() && !unsupported) {
-      const std::string_view rest = line.substr(std::min(status.column - 1, line.size()));
-      fail(line_, status.column, wire::expected_at(status.error),
-           rest.empty() ? "the end of the line" : quoted(rest),
-           lines_ > 0 ? "remove the line, or record with candump -l"
-                      : "record with candump -l, or convert the log: in Python, "
-                        "can_logconvert FILE loop.log");
-    }
-    if (parsed.relative && deltas_) parsed.time_ns = clock_ns_ += parsed.time_ns;
-    if (lines_++ == 0) base_ns_ = parsed.time_ns;
-    if (unsupported) {
+    if (lines_++ == 0) base_ns_ = line.time_ns;
+    if (log_.is_xl()) {
       ++unsupported_;
       return;
     }
-    note_id(parsed.frame);
-    for (CanSeries& s : series_) take_frame(parsed, s);
+    note_id(line.frame);
+    for (CanSeries& s : series_) take_frame(line, s);
   }
 
   void note_id(const wire::CanFrame& frame) {
@@ -152,7 +127,7 @@ class LogReader {
     require_one_sender(line.frame, s);
     if (s.interface.empty()) s.interface = line.interface;
     if (s.interface != line.interface) {
-      fail(line_, 0, "frames of " + s.title() + " on one interface",
+      fail(log_.number(), 0, "frames of " + s.title() + " on one interface",
            "both " + quoted(s.interface) + " and " + quoted(line.interface),
            "keep the lines of one interface");
     }
@@ -164,7 +139,7 @@ class LogReader {
         ++s.other_pages;
         return;
       case wire::SignalError::kNotFinite:
-        fail(line_, 0, "a finite value of " + s.title(), "NaN or an infinity",
+        fail(log_.number(), 0, "a finite value of " + s.title(), "NaN or an infinity",
              "cut the log where the sender had no value");
       default:
         break;
@@ -180,7 +155,7 @@ class LogReader {
     }
     const double t = static_cast<double>(line.time_ns - base_ns_) * 1e-9;
     if (!s.t.empty() && t < s.t.back()) {
-      fail(line_, 1, "a time not before the previous frame of " + s.title(),
+      fail(log_.number(), 1, "a time not before the previous frame of " + s.title(),
            "a step back of " + number(s.t.back() - t) + " s",
            "split the log where the clock was set");
     }
@@ -189,8 +164,9 @@ class LogReader {
       return;
     }
     if (s.t.size() >= kMaxSamples) {
-      fail(line_, 0, "at most " + std::to_string(kMaxSamples) + " frames of one signal",
-           "more", "split the log");
+      fail(log_.number(), 0,
+           "at most " + std::to_string(kMaxSamples) + " frames of one signal", "more",
+           "split the log");
     }
     if (highest && !(signal.minimum < signal.maximum)) {
       ++s.highest;
@@ -198,7 +174,7 @@ class LogReader {
     }
     s.t.push_back(t);
     s.value.push_back(value);
-    s.line.push_back(static_cast<std::uint32_t>(line_));
+    s.line.push_back(static_cast<std::uint32_t>(log_.number()));
   }
 
   // Where the identifier leaves the sender open, J1939.
@@ -208,7 +184,7 @@ class LogReader {
     const auto address = static_cast<std::uint8_t>(frame.id & kAddress);
     if (!s.sender) s.sender = address;
     if (*s.sender == address) return;
-    fail(line_, 0, "frames of " + s.title() + " from one sender",
+    fail(log_.number(), 0, "frames of " + s.title() + " from one sender",
          "the source addresses 0x" + hex_byte(*s.sender) + " and 0x" + hex_byte(address),
          "name one: by the identifier in the DBC file, or by source_address in the "
          "configuration");
@@ -286,18 +262,14 @@ class LogReader {
          "check the signal and the DBC file, or record longer");
   }
 
-  std::string_view text_;
   const std::string& name_;
   std::vector<CanSeries>& series_;
   const std::stop_token& stop_;
+  wire::CandumpReader log_;
   std::map<std::pair<std::uint32_t, bool>, std::size_t> ids_;
-  std::size_t line_ = 0;
   std::size_t lines_ = 0;
   std::size_t unsupported_ = 0;
-  std::size_t cut_line_ = 0;
   std::int64_t base_ns_ = 0;
-  bool deltas_;                // relative times are since the line before
-  std::int64_t clock_ns_ = 0;  // sum of these
 };
 
 }  // namespace
