@@ -6,12 +6,12 @@
 #include <complex>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "workbench/recording/written_zone.hpp"
+#include "workbench/screen/disjoint_sets.hpp"
 
 namespace workbench {
 namespace {
@@ -92,6 +92,15 @@ double frequency_of(const Rhythm& r) {
   return best;
 }
 
+// How two loops move at their common period.
+struct Company {
+  double coherence = 0;  // 0 … 1, over blocks of some cycles; 0 where not comparable
+  double phase = 0;      // of the second behind the first, radians, of y
+  double cycles = 0;     // compared
+};
+
+// 0 where their periods differ by more than the common time resolves, where they share
+// fewer than kFewestCycles, or where their clocks are not one.
 Company compare(const Rhythm& a, double fa, const Rhythm& b, double fb) {
   if (!of_one_clock(a, b)) return {};
   const double from = std::max(a.start_s, b.start_s);
@@ -154,8 +163,7 @@ class Grouper {
     std::ranges::sort(heard_, [](const Heard& a, const Heard& b) {
       return a.frequency < b.frequency || (a.frequency == b.frequency && a.loop < b.loop);
     });
-    parent_.resize(heard_.size());
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    together_ = DisjointSets(heard_.size());
     join();
     settle();
   }
@@ -166,21 +174,16 @@ class Grouper {
     double frequency;
   };
 
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
   void join() {
     for (std::size_t i = 0; i < heard_.size(); ++i) {
       const Rhythm& a = loops_[heard_[i].loop].rhythm;
       const double reach = kSameFrequency / std::max(kFewestCycles * a.period_s, 1e-12);
       for (std::size_t j = i + 1; j < heard_.size(); ++j) {
         if (heard_[j].frequency - heard_[i].frequency > reach) break;
-        if (root(i) == root(j)) continue;
+        if (together_.root(i) == together_.root(j)) continue;
         const Rhythm& b = loops_[heard_[j].loop].rhythm;
         if (keep_company(compare(a, heard_[i].frequency, b, heard_[j].frequency))) {
-          parent_[root(j)] = root(i);
+          together_.join(i, j);
         }
       }
     }
@@ -188,7 +191,8 @@ class Grouper {
 
   void settle() {
     std::vector<std::vector<std::size_t>> groups(heard_.size());
-    for (std::size_t i = 0; i < heard_.size(); ++i) groups[root(i)].push_back(i);
+    for (std::size_t i = 0; i < heard_.size(); ++i)
+      groups[together_.root(i)].push_back(i);
     std::erase_if(groups, [](const auto& group) { return group.size() < 2; });
     std::vector<std::pair<double, std::size_t>> order;
     std::vector<std::size_t> leaders;
@@ -248,15 +252,10 @@ class Grouper {
 
   std::vector<ScreenedLoop>& loops_;
   std::vector<Heard> heard_;
-  std::vector<std::size_t> parent_;
+  DisjointSets together_{0};
 };
 
 }  // namespace
-
-Company company_of(const Rhythm& a, const Rhythm& b) {
-  if (!(a.period_s > 0 && b.period_s > 0)) return {};
-  return compare(a, frequency_of(a), b, frequency_of(b));
-}
 
 double explained_by(const Rhythm& leader, const Rhythm& follower) {
   if (!of_one_clock(leader, follower) || leader.y.empty() || follower.y.empty()) {

@@ -7,17 +7,6 @@
 
 namespace workbench {
 
-/// How two loops move at their common period.
-struct Company {
-  double coherence = 0;  ///< 0 … 1, over blocks of some cycles; 0 where not comparable
-  double phase = 0;      ///< of the second behind the first, radians, of y
-  double cycles = 0;     ///< compared
-};
-
-/// 0 where their periods differ by more than the common time resolves, where they share
-/// fewer than kFewestCycles, or where their clocks are not one.
-[[nodiscard]] Company company_of(const Rhythm& a, const Rhythm& b);
-
 /// What the past of the signals of `leader` adds to the past of `follower`'s own, one
 /// step ahead, in nats; the price of the added terms is taken off, and less than nothing
 /// is nothing.

@@ -7,7 +7,6 @@
 #include <memory>
 #include <mutex>
 #include <new>
-#include <numeric>
 #include <optional>
 #include <stop_token>
 #include <thread>
@@ -16,6 +15,7 @@
 #include "workbench/model/base/work.hpp"
 #include "workbench/recording/source.hpp"
 #include "workbench/recording/stopped.hpp"
+#include "workbench/screen/disjoint_sets.hpp"
 #include "workbench/screen/found_files.hpp"
 #include "workbench/screen/groups.hpp"
 #include "workbench/screen/journal.hpp"
@@ -45,32 +45,27 @@ class Screener {
   ScreeningPlan plan(const std::vector<std::string>& paths) {
     ScreeningPlan out;
     out.problems = look(paths);
-    std::vector<std::size_t> parent(files_.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&parent](std::size_t i) {
-      while (parent[i] != i) i = parent[i] = parent[parent[i]];
-      return i;
-    };
+    DisjointSets together(files_.size());
     // Tags of a long table are not known yet: those of one folder stay together.
     std::map<std::string, std::size_t> long_of;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (files_[i].kind != ExportFile::Kind::kLong) continue;
       const std::string folder = folder_of(files_[i].path, options_.pool);
-      parent[root(i)] = root(long_of.try_emplace(folder, i).first->second);
+      together.join(long_of.try_emplace(folder, i).first->second, i);
     }
     make_tasks();
     std::vector<std::size_t> loops(files_.size(), 0);
     for (const LoopTask& task : tasks_) {
       const std::size_t first = task.parts.front().file;
       for (const PartOfLoop& part : task.parts) {
-        parent[root(part.file)] = root(first);
-        for (const std::size_t beside : part.beside) parent[root(beside)] = root(first);
+        together.join(first, part.file);
+        for (const std::size_t beside : part.beside) together.join(first, beside);
       }
       ++loops[task.parts.front().file];
     }
     std::map<std::size_t, IndependentFiles> sets;
     for (std::size_t i = 0; i < files_.size(); ++i) {
-      IndependentFiles& set = sets[root(i)];
+      IndependentFiles& set = sets[together.root(i)];
       set.files.push_back(files_[i].path);
       set.bytes += files_[i].bytes;
       set.loops += loops[i];
