@@ -26,7 +26,7 @@ std::string page_top(std::string_view kind, const Recording& recording,
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<title>" +
          escaped(recording.name) + ": " + text(headline) + "</title>\n<style>" +
-         std::string(kPageStyle) + "</style></head>\n<body><main>\n<header><p>" +
+         kPageStyle + "</style></head>\n<body><main>\n<header><p>" +
          escaped(filled("{0} · {1} · {2} samples, one every {3} s, {4}",
                         {std::string(kind),
                          recording.name +

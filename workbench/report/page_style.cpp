@@ -2,17 +2,19 @@
 
 namespace workbench {
 
-const std::string_view kPageStyle = R"css(
+const std::string_view kPalette = R"css(
 :root{color-scheme:light dark;--page:#f5f6f8;--card:#fff;--ink:#1a1f26;--soft:#5b6572;
 --rule:#e2e5ea;--grid:#eceef2;--usual:#dde2ea;--measured:#7b8592;--setpoint:#0c8599;--two-path:#2563eb;
 --valve:#d9480f;--linear:#7c5cbf;--truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff0f0;
 --good:#1f7a35;--good-soft:#eefaf1;--open:#8a6100;--open-soft:#fff8e1}
-@media (prefers-color-scheme:dark){:root{--page:#12151a;--card:#1b2027;--ink:#e8ebef;
---soft:#9ba6b4;--rule:#2c333d;--grid:#262c35;--usual:#3a4452;
+@media screen and (prefers-color-scheme:dark){:root{--page:#12151a;--card:#1b2027;
+--ink:#e8ebef;--soft:#9ba6b4;--rule:#2c333d;--grid:#262c35;--usual:#3a4452;
 --measured:#98a3b1;--setpoint:#3bc9db;
 --two-path:#6ea0ff;--valve:#ff8a4c;--linear:#b39ddb;--truth:#69c97f;--bad:#ff8787;
 --bad-soft:#331b1d;--good:#69c97f;--good-soft:#16281b;--open:#e9c46a;--open-soft:#2e2714}}
-*{box-sizing:border-box}
+)css";
+
+const std::string kPageStyle = std::string(kPalette) + R"css(*{box-sizing:border-box}
 body{margin:0;background:var(--page);color:var(--ink);
 font:15px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
 main{max-width:1120px;margin:0 auto;padding:28px 20px 48px}
@@ -101,10 +103,8 @@ code{font:13px ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;
 overflow-wrap:anywhere}
 ul{margin:.2em 0;padding-left:1.2em}
 footer{color:var(--soft);font-size:13px}
-@media print{:root{--page:#fff;--card:#fff;--ink:#000;--soft:#444;--rule:#ccc;--grid:#e6e6e6;
---usual:#dde2ea;--measured:#7b8592;--setpoint:#0c8599;--two-path:#2563eb;--valve:#d9480f;--linear:#7c5cbf;
---truth:#2b8a3e;--bad:#c92a2a;--bad-soft:#fff;--good:#1f7a35;--good-soft:#fff;
---open:#8a6100;--open-soft:#fff}
+@media print{:root{--page:#fff;--ink:#000;--soft:#444;--rule:#ccc;--grid:#e6e6e6;
+--bad-soft:#fff;--good-soft:#fff;--open-soft:#fff}
 @page{size:A4;margin:11mm}
 body{font-size:8.5pt;line-height:1.35;background:#fff}main{padding:0;max-width:none}
 h1{font-size:15pt;margin:0 0 .2em}h2{font-size:10.5pt}header p{margin:0}

@@ -9,6 +9,7 @@
 #include "ident/verdict/judge.hpp"
 #include "wire/sha256.hpp"
 #include "workbench/recording/resample.hpp"
+#include "workbench/report/page_style.hpp"
 #include "workbench/serve/embedded.hpp"
 
 namespace workbench {
@@ -142,7 +143,7 @@ std::string page_data(const Screening& screening) {
 }
 
 std::string screen_page(const Screening& screening) {
-  const std::string style = file_of("page.css");
+  const std::string style = std::string(kPalette) + file_of("page.css");
   const std::string script = file_of("page.js");
   std::string page = file_of("page.html");
   replace(page, "{{policy}}",
