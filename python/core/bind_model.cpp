@@ -42,9 +42,9 @@ Column output_named(const std::string& name) {
 void require_known(const std::vector<std::string>& effects) {
   const workbench::Catalogue& catalogue = workbench::standard_catalogue();
   for (const std::string& effect : effects) {
-    if (catalogue.find(effect) != nullptr) continue;
-    throw std::invalid_argument("no effect '" + effect +
-                                "'; known effects: " + catalogue.codes());
+    if (catalogue.find(effect) == nullptr) {
+      throw std::invalid_argument(catalogue.no_effect(effect));
+    }
   }
 }
 

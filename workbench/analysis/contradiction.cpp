@@ -4,6 +4,7 @@
 
 #include "workbench/analysis/votes.hpp"
 #include "workbench/analysis/wording.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -57,11 +58,7 @@ std::string words_of(const Says& says) {
 
 // "4.0 ascending and 3.9 descending in recording 1; none in recording 2".
 std::string all_words(const std::vector<Says>& said) {
-  std::string text;
-  for (const Says& says : said) {
-    text += (text.empty() ? "" : "; ") + words_of(says);
-  }
-  return text;
+  return listed(said, "; ", words_of);
 }
 
 Contradiction between_faults(const std::vector<Says>& said) {

@@ -72,8 +72,7 @@ int tell(const Options& options, const Recording& recording, const FittedModel& 
 int add_to(const Options& options) {
   refuse_to_replace_inputs(options);
   if (standard_catalogue().find(options.effect) == nullptr) {
-    throw UsageError("no effect '" + options.effect +
-                     "'; known effects: " + standard_catalogue().codes());
+    throw UsageError(standard_catalogue().no_effect(options.effect));
   }
   const Work work(limits_of(options));
   const auto [model, read] = modelled_for(options, work, options.effect);

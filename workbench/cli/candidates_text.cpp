@@ -7,6 +7,7 @@
 #include "workbench/cli/model_options.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/tell/curve_of.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/named_signal.hpp"
 #include "workbench/recording/option_words.hpp"
 #include "workbench/recording/resample.hpp"
@@ -52,12 +53,9 @@ bool turned_down(const Candidate& c) {
 }  // namespace
 
 std::string titles_of(const Candidate& candidate) {
-  std::string out;
-  for (const std::string& code : members_of(candidate)) {
-    out += (out.empty() ? "" : ", and with it ") +
-           std::string(standard_catalogue().find(code)->description().title);
-  }
-  return out;
+  return listed(members_of(candidate), ", and with it ", [](const std::string& code) {
+    return standard_catalogue().find(code)->description().title;
+  });
 }
 
 std::string search_on(const SearchSoFar& so_far, const std::vector<std::string>& more) {
@@ -70,9 +68,7 @@ std::string search_on(const SearchSoFar& so_far, const std::vector<std::string>&
     return std::ranges::find(before, code) == before.end();
   });
   if (!is_new) return {};
-  std::string codes;
-  for (const std::string& code : all) codes += (codes.empty() ? "" : ",") + code;
-  return so_far.ladder + " --with " + shell_word(codes) +
+  return so_far.ladder + " --with " + shell_word(listed(all, ",")) +
          (so_far.keep.empty() ? "" : " -o " + file_word(so_far.keep));
 }
 

@@ -12,6 +12,7 @@
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {

@@ -67,12 +67,6 @@ std::string without_end_blanks(std::string line) {
   return line;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 ProgressLine::ProgressLine()
     : terminal_(isatty(STDERR_FILENO) == 1),
       start_(Clock::now()),

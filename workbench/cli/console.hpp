@@ -31,9 +31,6 @@ void complain(std::string_view message);
 /// A line of a table less the blanks at its end.
 [[nodiscard]] std::string without_end_blanks(std::string line);
 
-/// The names with commas between them.
-[[nodiscard]] std::string listed(const std::vector<std::string>& names);
-
 /// A line on stderr that is rewritten while work goes on: only if stderr is a terminal,
 /// only for work longer than half a second; erased at the end.
 class ProgressLine {

@@ -4,6 +4,7 @@
 
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {

@@ -6,6 +6,7 @@
 #include "workbench/cli/console.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/fit/free_run.hpp"
+#include "workbench/recording/listed.hpp"
 
 namespace workbench::cli {
 

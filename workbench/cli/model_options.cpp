@@ -107,8 +107,7 @@ std::vector<std::string> effects_of(const ModelOptions& options) {
     const std::string code(wire::take_until(rest, ','));
     if (code.empty()) continue;
     if (standard_catalogue().find(code) == nullptr) {
-      throw UsageError("no effect '" + code +
-                       "'; known effects: " + standard_catalogue().codes());
+      throw UsageError(standard_catalogue().no_effect(code));
     }
     if (std::ranges::find(codes, code) != codes.end()) {
       throw UsageError("--with names " + code + " twice");

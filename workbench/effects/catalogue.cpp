@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "workbench/effects/effects.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/named_signal.hpp"
 
 namespace workbench {
@@ -70,11 +71,12 @@ Catalogue Catalogue::without(const Effect& effect) const {
 }
 
 std::string Catalogue::codes() const {
-  std::string text;
-  for (const Effect* effect : effects_) {
-    text += (text.empty() ? "" : ", ") + std::string(effect->code());
-  }
-  return text + ", " + std::string(effects::kMeasuredLoad) + "COLUMN";
+  return listed(effects_, ", ", &Effect::code) + ", " +
+         std::string(effects::kMeasuredLoad) + "COLUMN";
+}
+
+std::string Catalogue::no_effect(std::string_view code) const {
+  return "no effect '" + std::string(code) + "'; known effects: " + codes();
 }
 
 const Catalogue& standard_catalogue() {

@@ -32,6 +32,8 @@ class Catalogue {
   [[nodiscard]] Catalogue without(const Effect& effect) const;
   /// Codes, separated by ", ".
   [[nodiscard]] std::string codes() const;
+  /// "no effect 'code'; known effects: …"
+  [[nodiscard]] std::string no_effect(std::string_view code) const;
 
  private:
   std::vector<const Effect*> effects_;

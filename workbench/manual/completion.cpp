@@ -3,15 +3,10 @@
 #include <sstream>
 
 #include "workbench/manual/manual.hpp"
+#include "workbench/recording/listed.hpp"
 
 namespace workbench::manual {
 namespace {
-
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : between) + word;
-  return out;
-}
 
 // For single quotes of a shell.
 std::string quoted(std::string_view text) {
@@ -39,7 +34,7 @@ std::string all_names(const Command& command) {
   for (const Entry& entry : options_of(command)) {
     names.insert(names.end(), entry.names.begin(), entry.names.end());
   }
-  return joined(names, " ");
+  return listed(names, " ");
 }
 
 // "M.json" names its ending.
@@ -58,9 +53,9 @@ constexpr const char* kBashFiles = "mapfile -t COMPREPLY < <(compgen -f -- \"$wo
 void bash_values(const Command& command, std::ostream& out) {
   for (const Entry& entry : options_of(command)) {
     if (entry.value.empty()) continue;
-    out << "      " << joined(entry.names, "|") << ") ";
+    out << "      " << listed(entry.names, "|") << ") ";
     if (!entry.choices.empty()) {
-      out << "COMPREPLY=($(compgen -W " << quoted(joined(entry.choices, " "))
+      out << "COMPREPLY=($(compgen -W " << quoted(listed(entry.choices, " "))
           << " -- \"$word\")); return ;;\n";
     } else if (takes_file(entry)) {
       out << kBashFiles << "; return ;;\n";
@@ -89,7 +84,7 @@ std::string zsh_spec(const Entry& entry) {
   if (!entry.value.empty()) {
     spec += ":" + entry.value + ":";
     if (!entry.choices.empty()) {
-      spec += "(" + joined(entry.choices, " ") + ")";
+      spec += "(" + listed(entry.choices, " ") + ")";
     } else if (takes_file(entry)) {
       spec += "_files";
     }
@@ -116,7 +111,7 @@ void fish_options(const std::string& program, const Command& command,
       out << (is_long ? " -l " : " -s ") << name.substr(is_long ? 2 : 1);
     }
     if (!entry.choices.empty()) {
-      out << " -x -a " << quoted(joined(entry.choices, " "));
+      out << " -x -a " << quoted(listed(entry.choices, " "));
     } else if (!entry.value.empty()) {
       out << (takes_file(entry) ? " -r -F" : " -x");
     }
@@ -138,7 +133,7 @@ std::string bash_completion(const Program& program) {
     std::vector<std::string> commands;
     for (const Command& command : program.commands) commands.push_back(command.name);
     out << "  if [ \"$COMP_CWORD\" = 1 ]; then\n    COMPREPLY=($(compgen -W "
-        << quoted(joined(commands, " ") + " " + all_names(program.self))
+        << quoted(listed(commands, " ") + " " + all_names(program.self))
         << " -- \"$word\"))\n    return\n  fi\n  case ${COMP_WORDS[1]} in\n";
     for (const Command& command : program.commands) {
       out << "  " << command.name << ")\n";

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/spelling/quality_words.hpp"
 #include "workbench/recording/time_unit.hpp"
 
@@ -83,15 +84,14 @@ void refuse_ambiguous(TimeColumn& times, const std::string& file, const TimeCell
   }
   const std::vector<TimeColumn::Reading> readings = times.ambiguity();
   if (readings.empty()) return;
-  std::string dates;
   std::string options;
   for (const TimeColumn::Reading& reading : readings) {
-    dates += (dates.empty() ? "" : " or ") + reading.date;
     options += (options.empty() ? "--date-order " : " or --date-order ") +
                std::string(name_of(reading.order));
   }
   throw InputError(file, first.line, first.column, "dates with one reading",
-                   quoted(first.text) + ", which may be " + dates,
+                   quoted(first.text) + ", which may be " +
+                       listed(readings, " or ", &TimeColumn::Reading::date),
                    "say which it is: " + options);
 }
 

@@ -10,6 +10,7 @@
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/signal_suggestion.hpp"
 
 namespace workbench {
@@ -333,10 +334,7 @@ class Chooser {
           });
       if (!somewhere) absent.push_back(column);
     }
-    std::string what;
-    for (const Column column : absent.empty() ? wanted : absent) {
-      what += (what.empty() ? "" : " and ") + with_aliases(column);
-    }
+    std::string what = listed(absent.empty() ? wanted : absent, " and ", with_aliases);
     if (absent.empty()) what = filled("{0} of one tag", {what});
     std::string options = context_.time_option.empty() ? "" : ' ' + context_.time_option;
     const Indices suggested = suggested_signals(candidates_, taken(), wanted);

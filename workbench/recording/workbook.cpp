@@ -9,6 +9,7 @@
 #include "workbench/recording/formats/open_document.hpp"
 #include "workbench/recording/formats/zip_parts.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/sheet_date.hpp"
 
 namespace workbench {
@@ -212,11 +213,8 @@ std::vector<SheetTable> sheets_of_excel(const ZipParts& archive,
 }
 
 std::string names_of(const std::vector<SheetTable*>& sheets) {
-  std::string names;
-  for (const SheetTable* sheet : sheets) {
-    names += (names.empty() ? "" : ", ") + quoted(sheet->name);
-  }
-  return names;
+  return listed(sheets, ", ",
+                [](const SheetTable* sheet) { return quoted(sheet->name); });
 }
 
 std::optional<std::string> joined_text(const std::vector<SheetTable*>& tables,

@@ -5,6 +5,7 @@
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/harm.hpp"
 #include "workbench/recording/filled.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/report/texts.hpp"
 
 namespace workbench {
@@ -63,9 +64,7 @@ std::string model_headline(const ModelReport& report) {
       parts.push_back(
           capitalised(filled("{0} made the error larger.", {titled(harmful, " and ")})));
     }
-    std::string out;
-    for (const std::string& part : parts) out += (out.empty() ? "" : " ") + part;
-    return out;
+    return listed(parts, " ");
   }
   if (report.lacks_stem) {
     return "The verdict on the valve finds a stem that does not follow u, and the model "

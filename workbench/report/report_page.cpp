@@ -6,6 +6,7 @@
 
 #include "workbench/analysis/wording.hpp"
 #include "workbench/recording/filled.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/page_parts.hpp"
 #include "workbench/report/svg_plot.hpp"
@@ -93,9 +94,7 @@ std::string evidence(const ReportData& data) {
 }
 
 std::string list_of(std::span<const double> values) {
-  std::string out;
-  for (const double value : values) out += (out.empty() ? "" : ", ") + number(value, 5);
-  return out;
+  return listed(values, ", ", [](double value) { return number(value, 5); });
 }
 
 std::string model_table(const Identification& r) {
@@ -141,11 +140,9 @@ std::string notes(const ReportData& data) {
 
 std::string judged_together(const ReportData& data) {
   if (data.others.empty()) return {};
-  std::string names;
-  for (const std::string& name : data.others) names += (names.empty() ? "" : ", ") + name;
   return "<p>" +
          escaped(filled("Judged together with {0}. The pictures show {1}.",
-                        {names, data.recording.name})) +
+                        {listed(data.others), data.recording.name})) +
          "</p>\n";
 }
 

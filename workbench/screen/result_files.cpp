@@ -14,6 +14,7 @@
 
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/text_file.hpp"
 #include "workbench/screen/page.hpp"
@@ -216,11 +217,7 @@ ResultKind kind_of_result(const std::string& path) {
 }
 
 std::string csv_of(const Screening& screening) {
-  std::string out;
-  for (const ColumnOfResult& column : kResultColumns) {
-    out += (out.empty() ? "" : ",") + std::string(column.name);
-  }
-  out += '\n';
+  std::string out = listed(kResultColumns, ",", &ColumnOfResult::name) + '\n';
   for (const ScreenedLoop& loop : screening.loops) {
     bool first = true;
     for (const ColumnOfResult& column : kResultColumns) {

@@ -5,6 +5,7 @@
 
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/serve/api_handlers.hpp"
 #include "workbench/serve/api_request.hpp"
 #include "workbench/serve/session_json.hpp"
@@ -91,11 +92,8 @@ ApiResponse routed(Session& session, const ApiRequest& request) {
   const auto route = std::ranges::find_if(
       kRoutes, [&](const Route& r) { return request.path == r.path; });
   if (route == kRoutes.end()) {
-    std::string known;
-    for (const Route& r : kRoutes)
-      known += (known.empty() ? "" : ", ") + std::string(r.path);
-    return error_response(
-        404, "no address " + workbench::quoted(request.path) + "; known: " + known);
+    return error_response(404, "no address " + workbench::quoted(request.path) +
+                                   "; known: " + listed(kRoutes, ", ", &Route::path));
   }
   const auto handler = request.method == "GET"    ? route->get
                        : request.method == "POST" ? route->post

@@ -1,5 +1,6 @@
 #include "workbench/serve/command_lines.hpp"
 
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/option_words.hpp"
 #include "workbench/recording/signal_choice.hpp"
 #include "workbench/recording/tag_file.hpp"
@@ -39,11 +40,7 @@ std::string read_otherwise(const std::string& file, const std::string& own,
 
 // Those that a recording was put together from.
 std::string file_words(const std::string& name) {
-  std::string out;
-  for (const std::string& file : files_in(name)) {
-    out += (out.empty() ? "" : " ") + file_word(file);
-  }
-  return out;
+  return listed(files_in(name), " ", file_word);
 }
 
 std::string file_of(std::size_t step) {

@@ -14,8 +14,7 @@ void check_effects(const std::vector<std::string>& effects, const Model* model) 
   for (std::size_t i = 0; i < effects.size(); ++i) {
     const std::string& code = effects[i];
     if (standard_catalogue().find(code) == nullptr) {
-      throw std::invalid_argument("no effect '" + code +
-                                  "'; known effects: " + standard_catalogue().codes());
+      throw std::invalid_argument(standard_catalogue().no_effect(code));
     }
     const auto here = effects.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(effects.begin(), here, code) != here) {
