@@ -56,16 +56,8 @@ bool after(std::uint16_t a, std::uint16_t b) {
 }  // namespace
 
 HistoryFile::HistoryFile(std::string path)
-    : path_(std::move(path)), thread_([this] { work(); }) {}
-
-HistoryFile::~HistoryFile() {
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+    : path_(std::move(path)),
+      thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 void HistoryFile::reserve(std::int64_t size) const {
   constexpr std::int64_t kBlock = 512;  // of st_blocks
@@ -270,10 +262,10 @@ bool HistoryFile::write_rows(const Queue& queue) const {
   return fdatasync(file_.get()) == 0;
 }
 
-void HistoryFile::work() {
+void HistoryFile::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return busy_ || ended_; });
+    changed_.wait(lock, stop, [this] { return busy_; });
     if (!busy_) return;
     lock.unlock();
     const bool good = write_rows(writing_);

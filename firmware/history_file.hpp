@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <mutex>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -63,9 +64,6 @@ class HistoryFile {
   };
 
   explicit HistoryFile(std::string path);
-  ~HistoryFile();
-  HistoryFile(const HistoryFile&) = delete;
-  HistoryFile& operator=(const HistoryFile&) = delete;
 
   /// Before all else; once. Takes the file for this process.
   [[nodiscard]] Opened open(std::span<const HistoryLoop> loops);
@@ -120,7 +118,7 @@ class HistoryFile {
   void reserve(std::int64_t size) const;
   void find_ends(int loop);
   void hand_over();
-  void work();
+  void work(const std::stop_token& stop);
   [[nodiscard]] bool write_rows(const Queue& queue) const;
 
   std::string path_;
@@ -129,14 +127,13 @@ class HistoryFile {
   std::array<std::array<Ring, kHistoryRings.size()>, wire::kMostLoops> rings_{};
   Queue queue_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable_any changed_;
   Queue writing_;  // of the thread while busy_
   bool busy_ = false;
-  bool ended_ = false;
   std::uint32_t writes_ = 0;
   std::uint32_t failures_ = 0;
   std::uint32_t lost_ = 0;
-  std::thread thread_;
+  std::jthread thread_;  // last: it uses the others
 };
 
 }  // namespace firmware

@@ -48,16 +48,7 @@ StateFile::StateFile(std::string path, std::size_t windows)
     : path_(std::move(path)),
       windows_path_(path_ + ".windows"),
       windows_(windows),
-      thread_([this] { work(); }) {}
-
-StateFile::~StateFile() {
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+      thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 bool StateFile::lock() {
   const std::string beside = path_ + ".lock";
@@ -147,14 +138,14 @@ std::size_t StateFile::add_checksum(std::size_t size) {
   return size + wire::kChecksumBytes;
 }
 
-void StateFile::work() {
+void StateFile::work(const std::stop_token& stop) {
   const auto write = [](const std::string& path, const void* data, std::size_t size) {
     const std::string_view bytes(static_cast<const char*>(data), size);
     return replace_file(path.c_str(), bytes, Readers::kOwner, true) ? 0 : errno;
   };
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return size_ > 0 || windows_size_ > 0 || ended_; });
+    changed_.wait(lock, stop, [this] { return size_ > 0 || windows_size_ > 0; });
     if (size_ == 0 && windows_size_ == 0) return;
     // Nobody touches an image while its size says that it is being written.
     const bool state = size_ > 0;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <mutex>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,9 +28,6 @@ class StateFile {
  public:
   /// `windows`: most bytes of their image.
   explicit StateFile(std::string path, std::size_t windows = 0);
-  ~StateFile();
-  StateFile(const StateFile&) = delete;
-  StateFile& operator=(const StateFile&) = delete;
 
   /// Takes the file for this process, by a lock on path.lock, until the object is gone,
   /// and removes what a crash left of a write. False: another one has it.
@@ -65,7 +63,7 @@ class StateFile {
   [[nodiscard]] const std::string& windows_path() const { return windows_path_; }
 
  private:
-  void work();
+  void work(const std::stop_token& stop);
   /// Of windows, before they are written; the bytes of the file.
   [[nodiscard]] std::size_t add_checksum(std::size_t size);
 
@@ -73,16 +71,15 @@ class StateFile {
   std::string windows_path_;
   hal::Descriptor lock_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable_any changed_;
   std::array<char, wire::kMostStateBytes> image_;
   std::size_t size_ = 0;  // > 0: to be written, or being written
   std::vector<std::uint8_t> windows_;
   std::size_t windows_size_ = 0;  // the same of them, without their CRC-32
-  bool ended_ = false;
   std::uint32_t writes_ = 0;
   std::uint32_t failures_ = 0;
   int error_ = 0;
-  std::thread thread_;
+  std::jthread thread_;  // last: it uses the others
 };
 
 }  // namespace firmware

@@ -51,22 +51,14 @@ ModbusLink::ModbusLink(ModbusAddress address) : address_(std::move(address)) {
   error_.set("not asked yet");
 }
 
-ModbusLink::~ModbusLink() {
-  {
-    const std::lock_guard lock(mutex_);
-    ended_ = true;
-  }
-  changed_.notify_all();
-  if (thread_.joinable()) thread_.join();
-}
-
 std::size_t ModbusLink::add(const ModbusRegister& from, std::int64_t period_us) {
   items_.push_back({from, std::max<std::int64_t>(period_us, 1000)});
   return items_.size() - 1;
 }
 
 void ModbusLink::start() {
-  if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
+  if (thread_.joinable()) return;
+  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
 void ModbusLink::await_first() {
@@ -103,20 +95,18 @@ void ModbusLink::poll(Connection& connection, Item& item, std::int64_t now_us) {
   item.value_us = came_us;
 }
 
-void ModbusLink::work() {
+void ModbusLink::work(const std::stop_token& stop) {
   Connection connection(address_);
   std::unique_lock lock(mutex_);
-  while (!ended_) {
+  while (!stop.stop_requested()) {
     std::int64_t next_us = now_us() + kRetry_us;
-    for (std::size_t k = 0; k < items_.size() && !ended_; ++k) {
+    for (std::size_t k = 0; k < items_.size() && !stop.stop_requested(); ++k) {
       const std::int64_t at_us = now_us();
       if (at_us >= items_[k].due_us) poll(connection, items_[k], at_us);
       next_us = std::min(next_us, items_[k].due_us);
     }
     if (!std::exchange(tried_, true)) changed_.notify_all();
-    const std::int64_t wait_us = next_us - now_us();
-    if (wait_us > 0)
-      changed_.wait_for(lock, duration(wait_us), [this] { return ended_; });
+    changed_.wait_for(lock, stop, duration(next_us - now_us()), [] { return false; });
   }
 }
 

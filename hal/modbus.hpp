@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -54,9 +55,6 @@ struct ModbusRegister {
 class ModbusLink {
  public:
   explicit ModbusLink(ModbusAddress address);
-  ~ModbusLink();
-  ModbusLink(const ModbusLink&) = delete;
-  ModbusLink& operator=(const ModbusLink&) = delete;
 
   [[nodiscard]] const ModbusAddress& address() const { return address_; }
 
@@ -77,17 +75,16 @@ class ModbusLink {
   [[nodiscard]] bool newest(std::size_t item, double& value, Message& why);
   /// The first time, waits for the first answer, a second at most.
   void await_first();
-  void work();
+  void work(const std::stop_token& stop);
   void poll(Connection& connection, Item& item, std::int64_t now_us);
 
   ModbusAddress address_;
   std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable_any changed_;
   std::vector<Item> items_;
   Message error_;
-  bool tried_ = false;  // every item, once
-  bool ended_ = false;
-  std::thread thread_;
+  bool tried_ = false;   // every item, once
+  std::jthread thread_;  // last: it uses the others
 };
 
 class ModbusInput final : public AnalogInput {
