@@ -83,13 +83,7 @@ std::size_t write_history_line(const HistoryRow& row,
   put_date(row.time_s / kDayS, line);
   line.put('T').whole(second / kHourS, 2).put(':').whole(second / 60 % 60, 2).put(':');
   line.whole(second % 60, 2).put("Z,").put(name_of(row)).put(row.flag ? ",1" : ",0");
-  for (const double value :
-       {row.stick_band_pct.ascending, row.stick_band_low_pct.ascending,
-        row.stick_band_high_pct.ascending, row.stick_band_pct.descending,
-        row.stick_band_low_pct.descending, row.stick_band_high_pct.descending,
-        row.detectable_band_pct}) {
-    line.cell(value, 2);
-  }
+  for (const double* value : bands_of(row)) line.cell(*value, 2);
   line.cell(row.evidence_nats, 1).cell(row.confidence_pct, 1).cell(row.period_s, 1);
   line.put('\n');
   return line.size();

@@ -51,12 +51,8 @@ void encode_history_row(const HistoryRow& row,
   put(writer, FieldType::kU16, kPeriodScale, row.period_s);
   put(writer, FieldType::kU8, kConfidenceScale, row.confidence_pct);
   writer.number(0, 1);
-  for (const double value :
-       {row.stick_band_pct.ascending, row.stick_band_low_pct.ascending,
-        row.stick_band_high_pct.ascending, row.stick_band_pct.descending,
-        row.stick_band_low_pct.descending, row.stick_band_high_pct.descending,
-        row.detectable_band_pct}) {
-    put(writer, FieldType::kU16, kBandScale, value);
+  for (const double* value : bands_of(row)) {
+    put(writer, FieldType::kU16, kBandScale, *value);
   }
   put(writer, FieldType::kI16, kNatScale, row.evidence_nats);
   // Its complement, so that a row of zeros is none.
@@ -85,13 +81,7 @@ bool decode_history_row(std::span<const std::uint8_t, kHistoryRowBytes> data,
   row.period_s = get(in, FieldType::kU16, kPeriodScale);
   row.confidence_pct = get(in, FieldType::kU8, kConfidenceScale);
   (void)in.number(1);
-  for (double* value :
-       {&row.stick_band_pct.ascending, &row.stick_band_low_pct.ascending,
-        &row.stick_band_high_pct.ascending, &row.stick_band_pct.descending,
-        &row.stick_band_low_pct.descending, &row.stick_band_high_pct.descending,
-        &row.detectable_band_pct}) {
-    *value = get(in, FieldType::kU16, kBandScale);
-  }
+  for (double* value : bands_of(row)) *value = get(in, FieldType::kU16, kBandScale);
   row.evidence_nats = get(in, FieldType::kI16, kNatScale);
   return true;
 }

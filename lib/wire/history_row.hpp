@@ -10,6 +10,7 @@
 // rings, empty ones too, in no order. No heap, clock or exceptions.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,6 +33,18 @@ struct HistoryRow {
   double detectable_band_pct = kNotAvailable;
   double evidence_nats = kNotAvailable;
 };
+
+/// Where its bands are, in the order in which they are kept and told.
+template <class Row>
+constexpr auto bands_of(Row& row) {
+  return std::array{&row.stick_band_pct.ascending,
+                    &row.stick_band_low_pct.ascending,
+                    &row.stick_band_high_pct.ascending,
+                    &row.stick_band_pct.descending,
+                    &row.stick_band_low_pct.descending,
+                    &row.stick_band_high_pct.descending,
+                    &row.detectable_band_pct};
+}
 
 inline constexpr std::size_t kHistoryRowBytes = 32;
 inline constexpr std::size_t kHistoryHeaderBytes = 8;
