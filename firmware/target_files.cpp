@@ -47,15 +47,12 @@ void check(const config::Gateway& gateway, const config::Place& place,
 
 TargetFaults check_targets(const config::Gateway& gateway) {
   TargetFaults faults;
-  if (const auto& metrics = gateway.metrics) {
-    check(gateway, metrics->place, metrics->path, faults);
-  }
-  if (const auto& state = gateway.state) {
-    check(gateway, state->place, state->path, faults);
-  }
-  if (const auto& history = gateway.history) {
-    check(gateway, history->place, history->path, faults);
-  }
+  const auto check_one = [&](const auto& target) {
+    if (target) check(gateway, target->place, target->path, faults);
+  };
+  check_one(gateway.metrics);
+  check_one(gateway.state);
+  check_one(gateway.history);
   return faults;
 }
 

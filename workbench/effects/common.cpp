@@ -94,6 +94,14 @@ SearchedParameter searched_stem_start(const Situation& situation, std::string_vi
           .initial = true};
 }
 
+SearchedParameter level_of_u(const Situation& situation, std::string_view name) {
+  return {.name = name,
+          .unit = "u",
+          .low = situation.u_low,
+          .high = situation.u_high,
+          .constant = true};
+}
+
 double stem_resolution(const Situation& situation) {
   std::vector<double> moves;
   for (std::size_t k = 1; k < situation.u.size(); ++k) {
@@ -313,16 +321,8 @@ double swing_by_chance(std::span<const double> residual, std::span<const double>
 
 SearchedParameters curve_parameters(const Situation& situation) {
   return {{.name = "curvature", .unit = "1", .low = -5, .high = 5, .off = 0.0},
-          {.name = "from",
-           .unit = "u",
-           .low = situation.u_low,
-           .high = situation.u_high,
-           .constant = true},
-          {.name = "to",
-           .unit = "u",
-           .low = situation.u_low,
-           .high = situation.u_high,
-           .constant = true}};
+          level_of_u(situation, "from"),
+          level_of_u(situation, "to")};
 }
 
 std::vector<Values> curve_starts(const Situation& situation) {

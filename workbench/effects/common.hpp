@@ -90,6 +90,10 @@ struct StemFriction {
                                                     std::string_view name,
                                                     double spans = 1);
 
+/// A level of u, as a parameter that is not searched.
+[[nodiscard]] SearchedParameter level_of_u(const Situation& situation,
+                                           std::string_view name);
+
 /// How finely a width in u can be told: a stem breaks free between two samples of u. A
 /// tenth of the usual move of u in one period, at most a hundredth of its span.
 [[nodiscard]] double stem_resolution(const Situation& situation);

@@ -101,16 +101,8 @@ class DeadTime final : public ShownByMoves {
              .high = most_ratio(s),
              .logarithmic = true,
              .only_with = "by_flow"},
-            {.name = "flow_from",
-             .unit = "u",
-             .low = s.u_low,
-             .high = s.u_high,
-             .constant = true},
-            {.name = "flow_to",
-             .unit = "u",
-             .low = s.u_low,
-             .high = s.u_high,
-             .constant = true}};
+            level_of_u(s, "flow_from"),
+            level_of_u(s, "flow_to")};
   }
   [[nodiscard]] OptionalForm optional_form() const override {
     static constexpr std::string_view kByFlowOnly[] = {"by_flow", "flow_ratio",

@@ -246,11 +246,6 @@ std::string session_text(const SessionView& view) {
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-bool is_session(const std::string& text) {
-  const Json json = parsed_json<Json>(text);
-  return json.is_object() && json.value("kind", Json()) == kKind;
-}
-
 SavedSession parse_session(const std::string& text, const std::string& name) {
   return Reader(text, name).read();
 }

@@ -26,9 +26,6 @@ struct SavedSession {
 /// model.
 [[nodiscard]] std::string session_text(const SessionView& view);
 
-/// Whether a JSON text calls itself a session.
-[[nodiscard]] bool is_session(const std::string& text);
-
 /// Reads it. Throws InputError naming `name`, what was expected, what was found and what
 /// to do, for text that is no session, another version, signals of different lengths or
 /// with times that do not rise, numbers that are none, and as parse_model().

@@ -2,6 +2,7 @@
 #include <span>
 #include <utility>
 
+#include "workbench/recording/statistics.hpp"
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/draft.hpp"
 #include "workbench/simulate/families.hpp"

@@ -15,7 +15,6 @@ struct Cycles {
 /// deviations below it, so that noise well below the oscillation adds none.
 [[nodiscard]] Cycles measure_cycles(std::span<const double> signal);
 
-[[nodiscard]] double mean_of(std::span<const double> signal);
 /// Standard deviation, divisor N.
 [[nodiscard]] double std_of(std::span<const double> signal);
 /// Largest minus smallest value.

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "workbench/recording/statistics.hpp"
 #include "workbench/simulate/cycles.hpp"
 
 namespace workbench::test {

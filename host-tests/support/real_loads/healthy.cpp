@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "support/real_loads/draft.hpp"
+#include "workbench/recording/statistics.hpp"
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/setpoint_moves.hpp"
 

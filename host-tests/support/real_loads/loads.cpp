@@ -7,6 +7,7 @@
 #include <set>
 
 #include "workbench/recording/csv.hpp"
+#include "workbench/recording/statistics.hpp"
 #include "workbench/simulate/cycles.hpp"
 
 namespace workbench::test {

@@ -9,6 +9,7 @@
 #include "support/oracle/nats.hpp"
 #include "support/real_loads/loads.hpp"
 #include "support/real_loads/loop.hpp"
+#include "workbench/recording/statistics.hpp"
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/noise.hpp"
 #include "workbench/simulate/scenarios.hpp"

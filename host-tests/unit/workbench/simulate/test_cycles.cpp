@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "workbench/recording/statistics.hpp"
 #include "workbench/simulate/cycles.hpp"
 #include "workbench/simulate/random.hpp"
 
