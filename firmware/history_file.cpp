@@ -119,9 +119,9 @@ bool HistoryFile::read_header() {
   std::array<std::uint8_t, kHeaderContent + 4> header;
   if (!read_all(file_.get(), header, 0)) return false;
   wire::ByteReader in(header);
-  const auto magic = in.bytes(kMagic.size());
+  const bool ours = std::ranges::equal(in.bytes(kMagic.size()), kMagic);
   const auto content = std::span(header).first<kHeaderContent>();
-  if (!std::equal(magic.begin(), magic.end(), kMagic.begin()) ||
+  if (!ours ||
       wire::get_big_endian(std::span(header).last<4>()) != wire::crc32(content)) {
     return false;
   }

@@ -160,15 +160,10 @@ DtcStore::Dtc DtcStore::at(std::size_t index) const {
 }
 
 const DtcStore::Entry* DtcStore::find(std::uint32_t number) const {
-  const std::uint32_t loop = number >> 8 & 0xFF;
-  if (number >> 16 != 0x51 || loop < 1 || loop > loops_.size() ||
-      !loops_[loop - 1].known) {
-    return nullptr;
-  }
-  for (std::size_t i = 0; i < kKinds; ++i) {
-    if (static_cast<std::uint32_t>(wire::kKinds[i].type) == (number & 0xFF)) {
-      return &loops_[loop - 1].entries[i];
-    }
+  const int loop = static_cast<int>(number >> 8 & 0xFF);
+  const LoopEntries* const known = entries(loop);
+  for (std::size_t i = 0; known != nullptr && i < kKinds; ++i) {
+    if (number_of(loop, wire::kKinds[i].type) == number) return &(*known)[i];
   }
   return nullptr;
 }
@@ -180,11 +175,8 @@ void DtcStore::clear_all() {
 bool DtcStore::clear(std::uint32_t number) {
   const Entry* entry = find(number);
   if (entry == nullptr) return false;
-  for (LoopMemory& memory : loops_) {
-    for (Entry& candidate : memory.entries) {
-      if (&candidate == entry) candidate = {};
-    }
-  }
+  LoopEntries& of_loop = loops_[(number >> 8 & 0xFF) - 1].entries;
+  of_loop[static_cast<std::size_t>(entry - of_loop.data())] = {};
   return true;
 }
 

@@ -119,9 +119,8 @@ void encode_history_header(std::uint8_t loop, std::uint16_t rows,
 std::uint16_t decode_history_header(
     std::span<const std::uint8_t, kHistoryHeaderBytes> data) {
   ByteReader in(data);
-  const auto magic = in.bytes(kMagic.size());
   const bool good =
-      std::equal(magic.begin(), magic.end(), kMagic.begin()) && in.number(1) == kVersion;
+      std::ranges::equal(in.bytes(kMagic.size()), kMagic) && in.number(1) == kVersion;
   (void)in.number(1);
   const auto rows = static_cast<std::uint16_t>(in.number(2));
   return good ? rows : std::uint16_t{0};

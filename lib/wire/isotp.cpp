@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "wire/isotp_frame.hpp"
 #include "wire/uds_codes.hpp"
@@ -299,21 +300,13 @@ void IsoTpLink::expire(std::int64_t now_us) {
 std::optional<CanFrame> IsoTpLink::poll(std::int64_t now_us) {
   expire(now_us);
   for (std::optional<CanFrame>* waiting : {&control_, &refusal_}) {
-    if (!*waiting) continue;
-    const CanFrame frame = **waiting;
-    waiting->reset();
-    return frame;
+    if (*waiting) return std::exchange(*waiting, std::nullopt);
   }
   if (sending_ == Sending::kFirst ||
       (sending_ == Sending::kConsecutive && now_us >= send_at_us_)) {
     return next_data_frame(now_us);
   }
-  if (sending_ == Sending::kIdle && later_) {
-    const CanFrame frame = *later_;
-    later_.reset();
-    return frame;
-  }
-  return std::nullopt;
+  return sending_ == Sending::kIdle ? std::exchange(later_, std::nullopt) : std::nullopt;
 }
 
 std::optional<std::int64_t> IsoTpLink::next_us() const {

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 
-#include "wire/big_endian.hpp"
+#include "wire/byte_stream.hpp"
 
 namespace wire {
 namespace {
@@ -13,50 +13,48 @@ constexpr std::array<std::uint8_t, 4> kMagic = {'S', 'B', 'R', 'W'};
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kHasSetpoint = 1;
 
-std::uint32_t word_at(std::span<const std::uint8_t> data, std::size_t at) {
-  return static_cast<std::uint32_t>(get_big_endian(data.subspan(at, 4)));
-}
-
 }  // namespace
 
 void encode_recording_header(const RecordingHeader& header,
                              std::span<std::uint8_t, kRecordingHeaderBytes> out) {
-  std::copy(kMagic.begin(), kMagic.end(), out.begin());
-  out[4] = kVersion;
-  out[5] = header.loop;
-  out[6] = header.has_setpoint ? kHasSetpoint : std::uint8_t{0};
-  out[7] = 0;
-  put_big_endian(header.samples, out.subspan(8, 4));
-  put_big_endian(header.period_us, out.subspan(12, 4));
-  put_big_endian(header.first_ms, out.subspan(16, 8));
+  ByteWriter writer(out);
+  writer.bytes(kMagic);
+  writer.number(kVersion, 1);
+  writer.number(header.loop, 1);
+  writer.number(header.has_setpoint ? kHasSetpoint : 0, 1);
+  writer.number(0, 1);
+  writer.number(header.samples, 4);
+  writer.number(header.period_us, 4);
+  writer.number(header.first_ms, 8);
 }
 
 bool decode_recording_header(std::span<const std::uint8_t> data, RecordingHeader& out) {
-  if (data.size() < kRecordingHeaderBytes ||
-      !std::equal(kMagic.begin(), kMagic.end(), data.begin()) || data[4] != kVersion) {
+  if (data.size() < kRecordingHeaderBytes) return false;
+  ByteReader in(data);
+  if (!std::ranges::equal(in.bytes(kMagic.size()), kMagic) || in.number(1) != kVersion) {
     return false;
   }
-  out.loop = data[5];
-  out.has_setpoint = (data[6] & kHasSetpoint) != 0;
-  out.samples = word_at(data, 8);
-  out.period_us = word_at(data, 12);
-  out.first_ms = get_big_endian(data.subspan(16, 8));
+  out.loop = static_cast<std::uint8_t>(in.number(1));
+  out.has_setpoint = (in.number(1) & kHasSetpoint) != 0;
+  (void)in.number(1);
+  out.samples = static_cast<std::uint32_t>(in.number(4));
+  out.period_us = static_cast<std::uint32_t>(in.number(4));
+  out.first_ms = in.number(8);
   return out.samples <= kMostRecordingSamples && out.period_us > 0;
 }
 
 void encode_recording_sample(const RecordingSample& sample,
                              std::span<std::uint8_t, kRecordingSampleBytes> out) {
-  std::size_t at = 0;
+  ByteWriter writer(out);
   for (const float value : {sample.u, sample.y, sample.sp}) {
-    put_big_endian(std::bit_cast<std::uint32_t>(value), out.subspan(at, 4));
-    at += 4;
+    writer.number(std::bit_cast<std::uint32_t>(value), 4);
   }
 }
 
 RecordingSample decode_recording_sample(
     std::span<const std::uint8_t, kRecordingSampleBytes> data) {
-  return {std::bit_cast<float>(word_at(data, 0)), std::bit_cast<float>(word_at(data, 4)),
-          std::bit_cast<float>(word_at(data, 8))};
+  ByteReader in(data);
+  return {in.single(), in.single(), in.single()};
 }
 
 }  // namespace wire

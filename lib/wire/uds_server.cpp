@@ -155,8 +155,7 @@ Nrc UdsServer::tester_present(Bytes request, UdsReply& reply) {
 }
 
 const LoopStatus* UdsServer::loop_of(int id) const {
-  const auto found = std::find_if(loops_.begin(), loops_.end(),
-                                  [id](const LoopStatus& loop) { return loop.id == id; });
+  const auto found = std::ranges::find(loops_, id, &LoopStatus::id);
   return found == loops_.end() ? nullptr : &*found;
 }
 
@@ -187,10 +186,9 @@ Nrc UdsServer::write_data(Bytes request, UdsReply& reply) {
   constexpr std::size_t kHeader = 3;
   if (request.size() <= kHeader) return Nrc::kIncorrectLength;
   const auto did = static_cast<std::uint16_t>(get_big_endian(request.subspan(1, 2)));
-  const auto target =
-      std::find_if(loops_.begin(), loops_.end(), [did](const LoopStatus& loop) {
-        return did == loop_did(loop.id, kParametersOffset);
-      });
+  const auto target = std::ranges::find_if(loops_, [did](const LoopStatus& loop) {
+    return did == loop_did(loop.id, kParametersOffset);
+  });
   const Bytes data = request.subspan(kHeader);
   const bool known = target != loops_.end();
   if (known && data.size() != kParameterBytes) return Nrc::kIncorrectLength;
