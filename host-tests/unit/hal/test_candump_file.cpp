@@ -68,12 +68,14 @@ TEST_F(Log, InRealTimeAFrameComesWhenItsTimeHasCome) {
 TEST_F(Log, SumsUpTheTimesOfAScreenWithDeltas) {
   write(
       " (000.000000)  can0  18E   [1]  11\n (001.000100)  can1  18F   [1]  22\n"
-      " (000.500000)  can0  18E   [1]  33\n");
+      " (000.250000)  can0  18E   [0001] (00|81:00:12345678) 11\n"
+      " (000.250000)  can0  18E   [1]  33\n");
   CandumpFile bus(path, "can0", ReplayPace::kFast, clock);
   ASSERT_TRUE(bus.open()) << bus.error();
   ASSERT_EQ(bus.read(frames, count), CanStatus::kOk);
   ASSERT_EQ(count, 2U);
   EXPECT_EQ(frames[1].time_us, 1'500'100);
+  EXPECT_EQ(bus.drops(), 1U) << "the CAN XL frame, which has its share of the time";
 }
 
 TEST_F(Log, ABrokenLineIsNamedAndWhatCameBeforeItIsGiven) {
