@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "hal/digital_output.hpp"
 #include "hal/message.hpp"
@@ -15,8 +16,8 @@ namespace hal {
 class GpioLine final : public DigitalOutput {
  public:
   /// `chip`: name ("gpiochip0"), label or path.
-  GpioLine(std::string chip, unsigned line, bool active_low);
-  ~GpioLine() override;
+  GpioLine(std::string chip, unsigned line, bool active_low)
+      : chip_(std::move(chip)), line_(line), active_low_(active_low) {}
 
   [[nodiscard]] bool open(bool active) override;
   [[nodiscard]] bool set(bool active) override;
@@ -32,7 +33,7 @@ class GpioLine final : public DigitalOutput {
   std::string chip_;
   unsigned line_;
   bool active_low_;
-  std::unique_ptr<Handles> handles_;
+  std::shared_ptr<Handles> handles_;  // not known here, nor how to release them
   Message error_;
 };
 

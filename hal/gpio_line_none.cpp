@@ -2,12 +2,6 @@
 
 namespace hal {
 
-struct GpioLine::Handles {};
-
-GpioLine::GpioLine(std::string chip, unsigned line, bool active_low)
-    : chip_(std::move(chip)), line_(line), active_low_(active_low) {}
-GpioLine::~GpioLine() = default;
-
 const char* GpioLine::library() {
   return "none";
 }

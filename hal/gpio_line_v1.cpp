@@ -14,17 +14,13 @@ struct GpioLine::Handles {
   }
 };
 
-GpioLine::GpioLine(std::string chip, unsigned line, bool active_low)
-    : chip_(std::move(chip)), line_(line), active_low_(active_low) {}
-GpioLine::~GpioLine() = default;
-
 const char* GpioLine::library() {
   return "libgpiod 1";
 }
 
 bool GpioLine::open(bool active) {
   handles_.reset();
-  auto handles = std::make_unique<Handles>();
+  auto handles = std::make_shared<Handles>();
   handles->chip = gpiod_chip_open_lookup(chip_.c_str());
   if (!handles->chip) return fail("no such chip", "`gpiodetect` lists those there are");
   handles->line = gpiod_chip_get_line(handles->chip, line_);

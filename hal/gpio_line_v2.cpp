@@ -46,10 +46,6 @@ struct GpioLine::Handles {
   Request request;
 };
 
-GpioLine::GpioLine(std::string chip, unsigned line, bool active_low)
-    : chip_(std::move(chip)), line_(line), active_low_(active_low) {}
-GpioLine::~GpioLine() = default;
-
 const char* GpioLine::library() {
   return "libgpiod 2";
 }
@@ -70,7 +66,7 @@ bool GpioLine::open(bool active) {
   gpiod_request_config_set_consumer(request.get(), "stickbandd");
   Request taken(gpiod_chip_request_lines(chip.get(), request.get(), lines.get()));
   if (!taken) return fail("cannot take the line", "`gpioinfo` tells who has it");
-  handles_ = std::make_unique<Handles>(Handles{std::move(taken)});
+  handles_ = std::make_shared<Handles>(Handles{std::move(taken)});
   error_.clear();
   return true;
 }
