@@ -8,6 +8,7 @@
 #include "workbench/recording/columns/header_names.hpp"
 #include "workbench/recording/columns/line_table.hpp"
 #include "workbench/recording/columns/quality_columns.hpp"
+#include "workbench/recording/columns/time_place.hpp"
 #include "workbench/recording/formats/labview_export.hpp"
 #include "workbench/recording/input_error.hpp"
 #include "workbench/recording/later_texts.hpp"
@@ -227,6 +228,7 @@ class LayoutFinder {
       out_.columns[c].counts = table.counts(c);
     }
     settle_qualities(table, out_.columns);
+    tell_temperature(out_.columns);
     for (std::size_t c = 0; c < out_.columns.size(); ++c) {
       const Part part = out_.columns[c].name.part;
       const bool is_plain = table.content(c) == Content::kNumber && part != Part::kTime &&

@@ -301,7 +301,9 @@ Reason qualified(Reason found, const Evidence<Real>& e, const LoopEvidence<Real>
   if (verdict != Verdict::kUndecided) {
     return found;
   }
-  if (setpoint_moves(loop)) {
+  const bool speaks = found == Reason::kEvidenceTooWeak && is_weighed(e) &&
+                      exact(best_nats(e)) > Threshold(kAgreedNats);
+  if (setpoint_moves(loop) && !speaks) {
     return nothing_would_hide(e) ? Reason::kLinearExplains : Reason::kSetpointMoves;
   }
   const bool few =

@@ -17,6 +17,11 @@ namespace {
 
 constexpr double kMostOfADay = 0.9;  // of the rows say the same date
 
+// The contract's t.
+bool is_t(const LayoutColumn& column) {
+  return column.name.part == Part::kTime && role_of(column.name.text) == Column::t;
+}
+
 // Ten digits are seconds from 2001 on, 13 milliseconds.
 bool counts_since_1970(const LayoutColumn& column) {
   const std::string_view whole =
@@ -58,6 +63,19 @@ bool is_whole_time(const LayoutColumn& column) {
 
 }  // namespace
 
+void tell_temperature(std::vector<LayoutColumn>& columns) {
+  const auto is_time = [](const LayoutColumn& c) {
+    return c.name.part == Part::kTime && !role_of(c.name.text) && is_measured(c) &&
+           c.content != Content::kNothing;
+  };
+  if (std::ranges::none_of(columns, is_time)) return;
+  for (LayoutColumn& column : columns) {
+    if (column.name.text == "T" && column.content == Content::kNumber) {
+      column.name.part = Part::kNone;
+    }
+  }
+}
+
 std::vector<std::size_t> columns_of(const TimePlace& place) {
   std::vector<std::size_t> out{place.column};
   if (place.clock) out.push_back(*place.clock);
@@ -81,21 +99,28 @@ TimeFinder::TimeFinder(const CsvLayout& layout, const std::string& file,
 std::optional<TimePlace> TimeFinder::find() const {
   if (!names_.time.empty()) return named();
   const std::optional<std::size_t> found = column();
-  const bool is_t = found && role_of(columns_[*found].name.text) == Column::t;
-  if (is_t) check_single_t(*found);
-  if (!is_t) {
+  if (found && is_t(columns_[*found])) {
+    check_single_t(*found);
+  } else {
     if (std::optional<TimePlace> parts = of_parts()) return parts;
   }
   if (!found) return std::nullopt;
   return at(*found);
 }
 
+// By the user.
+bool TimeFinder::is_signal(const LayoutColumn& column) const {
+  const std::string& text = column.name.text;
+  const auto is_it = [&](const std::string& name) {
+    return !name.empty() && name == text;
+  };
+  return is_it(names_.u) || is_it(names_.y) || is_it(names_.sp) || is_it(names_.x);
+}
+
 std::optional<std::size_t> TimeFinder::column() const {
   using Fits = bool (*)(const LayoutColumn&);
   constexpr auto kInTurn = std::to_array<Fits>({
-      [](const LayoutColumn& c) {
-        return role_of(c.name.text) == Column::t && c.content != Content::kText;
-      },
+      [](const LayoutColumn& c) { return is_t(c) && c.content != Content::kText; },
       // The bounds of a query stand beside the times of its rows, the same in all of
       // them.
       [](const LayoutColumn& c) { return c.content == Content::kDateTime && !c.rests(); },
@@ -113,12 +138,12 @@ std::optional<std::size_t> TimeFinder::column() const {
       },
       // The sample period alone, in the first row, makes no times.
       [](const LayoutColumn& c) {
-        return (role_of(c.name.text) == Column::t || c.name.part == Part::kTime) &&
-               c.content != Content::kNothing;
+        return c.name.part == Part::kTime && c.content != Content::kNothing;
       },
   });
   for (const Fits fits : kInTurn) {
-    if (const auto found = first_column(columns_, fits)) return found;
+    const auto may_be = [&](const LayoutColumn& c) { return fits(c) && !is_signal(c); };
+    if (const auto found = first_column(columns_, may_be)) return found;
   }
   // Without a header, seconds or parts of them since 1970.
   if (!layout_.header.empty()) return std::nullopt;
@@ -188,7 +213,7 @@ TimePlace TimeFinder::named() const {
 
 void TimeFinder::check_single_t(std::size_t first) const {
   for (std::size_t i = first + 1; i < columns_.size(); ++i) {
-    if (role_of(columns_[i].name.text) != Column::t) continue;
+    if (!is_t(columns_[i]) || is_signal(columns_[i])) continue;
     throw InputError(file_, layout_.header_line, columns_[i].column, "one column for t",
                      "both " + quoted(columns_[first].name.text) + " and " +
                          quoted(columns_[i].name.text),
@@ -200,7 +225,7 @@ TimePlace TimeFinder::at(std::size_t index) const {
   TimePlace place;
   place.column = index;
   const LayoutColumn& column = columns_[index];
-  place.seconds_only = role_of(column.name.text) == Column::t;
+  place.seconds_only = is_t(column);
   place.elapsed = column.name.key.find("elapsed") != std::string::npos;
   place.unit_s = seconds_of_unit(column.name.unit);
   if (place.unit_s == 0) place.unit_s = seconds_of_unit(column.name.key);

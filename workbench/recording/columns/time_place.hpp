@@ -30,10 +30,15 @@ struct TimePlace {
   bool seconds_only = false;  ///< the contract's t: numbers are no Excel days
 };
 
+/// Lets a column T beside one with another name of time be no time, but, as a temperature
+/// often is, a signal.
+void tell_temperature(std::vector<LayoutColumn>& columns);
+
 /// All columns of it, each once.
 [[nodiscard]] std::vector<std::size_t> columns_of(const TimePlace& place);
 
-/// Finds times by names and contents: the column named by the user or t, else one of
+/// Finds times by names and contents: the column named by the user or t, unless the user
+/// takes it for a signal, else one of
 /// dates and times, a date beside a time of day, hour, minute and second in columns of
 /// their own, or a number with a name of time. Everything must outlive this.
 class TimeFinder {
@@ -50,6 +55,7 @@ class TimeFinder {
  private:
   [[nodiscard]] TimePlace named() const;
   [[nodiscard]] std::optional<std::size_t> column() const;
+  [[nodiscard]] bool is_signal(const LayoutColumn& column) const;
   [[nodiscard]] std::optional<TimePlace> of_parts() const;
   void check_single_t(std::size_t first) const;
   void find_clock(std::size_t index, TimePlace& place) const;

@@ -455,6 +455,11 @@ TEST(JudgeOfBothKinds, TheSetpointIsWhyNoBandWouldShow) {
   expect(ident::judge(e, loop), Reason::kSetpointMoves);
   e.ladder.detectable_band = e.ladder.hoped_band = 0.1;
   expect(ident::judge(e, loop), Reason::kLinearExplains);
+  e.fit_linear_percent = 85;
+  e.ladder.nats = 25;
+  expect(ident::judge(e, loop), Reason::kSetpointMoves);
+  e.ladder.nats = 25.1;
+  expect(ident::judge(e, loop), Reason::kEvidenceTooWeak);
 }
 
 TEST(JudgeOfBothKinds, ReadsFloatAlike) {

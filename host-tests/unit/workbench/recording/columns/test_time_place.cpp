@@ -85,6 +85,27 @@ TEST(TimePlace, TakesMicrosecondsWhereTheyBeginAnewEachSecond) {
   EXPECT_FALSE(rows("Date,Time,us,CH3,CH4", true)->millis);
 }
 
+TEST(TimePlace, TBesideATimeIsATemperature) {
+  const auto column_of = [](const std::string& head, const ColumnNames& names) {
+    std::string text = head + '\n';
+    for (int k = 0; k < 40; ++k) {
+      text += std::to_string(k) + ',' + std::to_string(20 + k % 7) + ",4.5\n";
+    }
+    const CsvLayout layout = layout_of(text, "a.csv", {});
+    const std::string file = "a.csv";
+    const std::vector<NamedSignal> candidates = candidates_of(layout);
+    const auto place = TimeFinder(layout, file, names, candidates).find();
+    return place ? static_cast<int>(place->column) : -1;
+  };
+  EXPECT_EQ(column_of("time,T,OP", {}), 0);
+  EXPECT_EQ(column_of("Timestamp,T,OP", {}), 0);
+  EXPECT_EQ(column_of("T,PV,OP", {}), 0) << "the contract's t";
+  EXPECT_EQ(column_of("PV,T,OP", {}), 1);
+  EXPECT_EQ(column_of("PV,T,OP", {.y = "T"}), -1) << "the user says what it is";
+  EXPECT_THROW(column_of("t,T,OP", {}), InputError);
+  EXPECT_EQ(column_of("t,T,OP", {.y = "T"}), 0);
+}
+
 TEST(TimePlace, AHeaderNamesTheFormOfAClock) {
   const auto place = place_of("Time (mm:ss),OP,PV", "00:0");
   ASSERT_TRUE(place);
