@@ -204,19 +204,7 @@ std::optional<Fit> Fitter::built(const std::vector<const Effect*>& effects,
     }
   }
   FreeRun run(base_, blocks_, structural, *work_);
-  const std::vector<double> p = start_values(run, base_);
-  SearchPoint best = evaluate(run, p);
-  if (const auto slot = first_lag_slot(run)) {
-    const SearchedParameter& parameter = run.slots()[*slot].parameter;
-    for (double lag_s = parameter.low; lag_s < parameter.high; lag_s *= 2) {
-      std::vector<double> next = p;
-      next[*slot] = lag_s;
-      SearchPoint point = evaluate(run, std::move(next));
-      if (point.error < best.error) best = std::move(point);
-    }
-  }
-  best = descend(run, std::move(best), 20);
-  Fit fit = found(run, structural, best.p);
+  Fit fit = found(run, structural, first_found(run, start_values(run, base_)).p);
   for (const Effect* effect : effects) {
     if (contains(structural, *effect)) continue;
     auto next = extend(fit, *effect, Effort::kThorough);

@@ -114,6 +114,50 @@ std::optional<std::size_t> first_lag_slot(const FreeRun& run) {
   return 1;
 }
 
+namespace {
+
+// A point and the squared error that it leaves on the whole recording.
+struct WholePoint {
+  SearchPoint point;
+  double whole = 0;
+};
+
+WholePoint on_the_whole(FreeRun& run, std::vector<double> p) {
+  WholePoint out{evaluate(run, std::move(p))};
+  for (const double r : run.residual()) out.whole += r * r;
+  return out;
+}
+
+}  // namespace
+
+SearchPoint first_found(FreeRun& run, std::vector<double> p) {
+  constexpr int kIterations = 20;
+  constexpr double kFarLess = 0.5;
+  std::vector<WholePoint> tried = {on_the_whole(run, p)};
+  if (const auto slot = first_lag_slot(run)) {
+    const SearchedParameter& parameter = run.slots()[*slot].parameter;
+    for (double lag_s = parameter.low; lag_s < parameter.high; lag_s *= 2) {
+      p[*slot] = lag_s;
+      tried.push_back(on_the_whole(run, p));
+    }
+  }
+  const auto error = [](const WholePoint& at) { return at.point.error; };
+  const auto ended = [&run](const WholePoint& from) {
+    return on_the_whole(run, descend(run, from.point, kIterations).p);
+  };
+  const auto closest = std::ranges::min_element(tried, {}, error);
+  WholePoint best = ended(*closest);
+  const double most = kFarLess * closest->whole;
+  for (std::size_t i = 1; i + 1 < tried.size(); ++i) {
+    const bool valley =
+        error(tried[i]) < error(tried[i - 1]) && error(tried[i]) < error(tried[i + 1]);
+    if (!valley || !(tried[i].whole < most)) continue;
+    WholePoint other = ended(tried[i]);
+    if (other.whole < kFarLess * best.whole) best = std::move(other);
+  }
+  return best.point;
+}
+
 std::vector<SearchPoint> judged(const FreeRun& run, const Starts& starts) {
   constexpr std::size_t kClosest = 20;
   constexpr std::size_t kAtOnce = 4;

@@ -23,6 +23,13 @@ enum class Effort {
 /// Slot of the first lag of the process; an integrating one has none.
 [[nodiscard]] std::optional<std::size_t> first_lag_slot(const FreeRun& run);
 
+/// (W43) Where the search for the process ends that begins at `p`, with the closest of
+/// all first lags, in factors of two; or in another valley of these, where that leaves
+/// less than half on the whole recording: with a lag as long as what is fitted, and a
+/// free state where it begins, a process takes the shape of any curve, and fails where it
+/// is judged.
+[[nodiscard]] SearchPoint first_found(FreeRun& run, std::vector<double> p);
+
 /// Where a search for one more effect may start, and the first lags that each of the
 /// starts is judged with: all with the first few, the best with the rest.
 struct Starts {

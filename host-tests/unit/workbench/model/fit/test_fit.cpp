@@ -32,6 +32,25 @@ TEST(Fitter, FindsTheTextbookProcess) {
   EXPECT_NEAR(fitter.rmse_on(fit, false), 0.2, 0.02);
 }
 
+// On the way up a lag as long as the recording, from a state far away, takes the shape of
+// the curve, and u need have no part in it; where u falls back at the end it fails.
+TEST(Fitter, TakesNoFreeBeginningForTheProcess) {
+  Recording recording;
+  recording.period_s = 1;
+  double y = 0;
+  for (int k = 0; k < 600; ++k) {
+    const double u = k < 570 ? 1 + 30 * (k / 60) : 0;
+    recording.t.push_back(k);
+    recording.u.push_back(u);
+    recording.y.push_back(y + 0.5 * std::sin(7.0 * k * k));
+    y += 0.2 * (100 * std::sqrt(std::max(u - 40, 0.0)) - y);
+  }
+  const Fitter fitter(recording, Column::y);
+  const Fit fit = fitter.start({});
+  EXPECT_NEAR(*fit.process_value("first_lag"), 5, 2);
+  EXPECT_NEAR(fit.coefficients[0], 6, 1);
+}
+
 // A load moves y, and u answers it at once: seen from u, y is the controller upside down.
 TEST(Fitter, TakesNoControllerUpsideDownForTheProcess) {
   SetpointLoop loop;
