@@ -162,7 +162,7 @@ bool InPlaceIdentifier<Real, Capacity>::work(int budget) {
       return closed_loop().step(budget);
     case Stage::kBesideCurve:
       if constexpr (kStemSearch) {
-        return evidence_stage().curved.step(budget);
+        return std::get_if<BesideCurve>(&last_)->step(budget);
       }
       return true;
     case Stage::kGap:

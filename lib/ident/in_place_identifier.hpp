@@ -234,8 +234,6 @@ class InPlaceIdentifier {
     ClosedLoopEvidence<Real> asked;
     [[no_unique_address]] std::conditional_t<kStemSearch, StemSearch<Real>, LeftOut>
         search;
-    [[no_unique_address]] std::conditional_t<kStemSearch, CurvedLadder<Real>, LeftOut>
-        curved;
   };
   using GapStage = std::conditional_t<kModelGap, ModelGap<Real>, LeftOut>;
 
@@ -303,9 +301,11 @@ class InPlaceIdentifier {
       std::conditional_t<kStemSearch, typename ValveSearch<Real>::Elsewhere, StaysHere>;
   struct NotAsked {};
   using Uneven = std::conditional_t<kStemSearch, DirectionalLag<Real>, NotAsked>;
+  struct NoCurve {};
+  using BesideCurve = std::conditional_t<kStemSearch, CurvedLadder<Real>, NoCurve>;
   // One after the other.
   std::variant<std::monostate, Elsewhere, CycleComparison<Real>, Uneven,
-               IntervalSearch<Real>, GapStage, EvidenceStage>
+               IntervalSearch<Real>, GapStage, EvidenceStage, BesideCurve>
       last_;
   Identification<Real> result_;
 };

@@ -126,7 +126,7 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_curve() {
     const Evidence<Real>& e = result_.evidence;
     if (e.reversals < kTenCycles &&
         (e.form != ValveForm::kLinear || exact(best_nats(e)) > Threshold(kNoNats))) {
-      evidence_stage().curved.start(
+      last_.template emplace<BesideCurve>().start(
           evidence_window(valve_stage().sums), setpoint_,
           {chosen_valve(), e.band_over_swing * movement_.swing,
            e.form == ValveForm::kLinear ? 0 : free_parameters(e.form)});
@@ -138,7 +138,7 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_curve() {
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_beside_curve() {
   if constexpr (kStemSearch) {
-    const CurvedLadder<Real>& curved = evidence_stage().curved;
+    const CurvedLadder<Real>& curved = *std::get_if<BesideCurve>(&last_);
     result_.evidence.curved = {curved.known(), curved.nats(),
                                curved.narrower_band() / movement_.swing,
                                curved.wider_band() / movement_.swing};
