@@ -4,6 +4,7 @@
 // scratch; nothing is allocated. See docs/model.md for the equations.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -173,6 +174,10 @@ class InPlaceIdentifier {
   void search_stem();
   void confirm_stem();
   void take_searched_stem();
+  [[nodiscard]] bool setpoint_moves() const {
+    return std::any_of(setpoint_.begin(), setpoint_.end(),
+                       [this](Real sp) { return sp != setpoint_[0]; });
+  }
   void look_beside_setpoint();
   void take_beside_setpoint();
   void look_beside_curve();

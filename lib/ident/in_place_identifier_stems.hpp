@@ -96,9 +96,7 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_beside_setpoint() {
   if constexpr (kStemSearch) {
     const Evidence<Real>& e = result_.evidence;
-    const auto moved = [this](Real sp) { return sp != setpoint_[0]; };
-    if (!(nats_of_stems(e, Real(0)) > Real(0)) ||
-        std::none_of(setpoint_.begin(), setpoint_.end(), moved)) {
+    if (!(nats_of_stems(e, Real(0)) > Real(0)) || !setpoint_moves()) {
       return look_beside_curve();
     }
     closed_loop().start_beside_setpoint(
@@ -124,7 +122,8 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_curve() {
   stage_ = Stage::kJudge;
   if constexpr (kStemSearch) {
     const Evidence<Real>& e = result_.evidence;
-    if (e.reversals < kTenCycles &&
+    const int few = setpoint_moves() ? kTenCycles : kFiveCycles;
+    if (e.reversals < few &&
         (e.form != ValveForm::kLinear || exact(best_nats(e)) > Threshold(kNoNats))) {
       last_.template emplace<BesideCurve>().start(
           evidence_window(valve_stage().sums), setpoint_,

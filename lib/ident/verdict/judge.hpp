@@ -7,7 +7,7 @@ namespace ident {
 
 /// Turning points of u in five cycles: with fewer, chance has too much of a say.
 inline constexpr int kFiveCycles = 10;
-/// In ten: with fewer, a bent characteristic or a moved setpoint may do what a stem does.
+/// In ten: with fewer, a setpoint that moves may do what a stem does.
 inline constexpr int kTenCycles = 20;
 /// Turning points of u below which most cycles may be better by chance.
 inline constexpr int kEnoughTurns = 6;
