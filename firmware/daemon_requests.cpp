@@ -35,12 +35,27 @@ void Daemon::end_simulation(int loop) {
 }
 
 void Daemon::tell(wire::UdsAct act, std::uint8_t tester, int loop) {
-  using Counters = wire::AccessCounters;
-  // In the order of UdsAct.
-  constexpr std::array kCounted = {&Counters::unlocks, &Counters::refused_keys,
-                                   &Counters::writes,  &Counters::clears,
-                                   &Counters::resets,  &Counters::simulations};
-  ++(gateway_.access.*kCounted[static_cast<std::size_t>(act)]);
+  wire::AccessCounters& counters = gateway_.access;
+  switch (act) {
+    case wire::UdsAct::kUnlocked:
+      ++counters.unlocks;
+      break;
+    case wire::UdsAct::kRefusedKey:
+      ++counters.refused_keys;
+      break;
+    case wire::UdsAct::kWritten:
+      ++counters.writes;
+      break;
+    case wire::UdsAct::kCleared:
+      ++counters.clears;
+      break;
+    case wire::UdsAct::kReset:
+      ++counters.resets;
+      break;
+    case wire::UdsAct::kSimulated:
+      ++counters.simulations;
+      break;
+  }
   Notice& notice = notify(NoticeKind::kAccess);
   notice.act = act;
   notice.tester = tester;

@@ -203,16 +203,13 @@ LawShare law_share(std::span<const double> u, std::span<const double> y,
   const double without_sum = one_sign ? left_without(levels, kSum) : 0;
   constexpr double kSome = 1.1;  // as kMuch, where y has its part, too
   constexpr double kFarLess = 0.5;
-  return {
-      .of_level = share_of(levels, level),
-      .of_changes = share_of(changes, change),
-      .integrates = without_sum > kMuch * level.left,
-      .switches = switches_in(changes[kU]),
-      .leads =
-          made_of(ahead, kSum).left<kFarLess * change.left, .slope = without_sum> kSome *
-                  level.left
-              ? slope_in(levels, level, change)
-              : 0};
+  const bool seen_beside_sum = without_sum > kSome * level.left;
+  return {.of_level = share_of(levels, level),
+          .of_changes = share_of(changes, change),
+          .integrates = without_sum > kMuch * level.left,
+          .switches = switches_in(changes[kU]),
+          .leads = kFarLess * change.left > made_of(ahead, kSum).left,
+          .slope = seen_beside_sum ? slope_in(levels, level, change) : 0};
 }
 
 bool follows_law(const LawShare& share) {
