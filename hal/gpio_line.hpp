@@ -18,6 +18,8 @@ class GpioLine final : public DigitalOutput {
   /// `chip`: name ("gpiochip0"), label or path.
   GpioLine(std::string chip, unsigned line, bool active_low)
       : chip_(std::move(chip)), line_(line), active_low_(active_low) {}
+  GpioLine(const GpioLine&) = delete;  // one holds the line
+  GpioLine& operator=(const GpioLine&) = delete;
 
   [[nodiscard]] bool open(bool active) override;
   [[nodiscard]] bool set(bool active) override;
