@@ -122,11 +122,13 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_curve() {
   stage_ = Stage::kJudge;
   if constexpr (kStemSearch) {
     const Evidence<Real>& e = result_.evidence;
-    const int few = setpoint_moves() ? kTenCycles : kFiveCycles;
+    const bool moves = setpoint_moves();
+    const int few = moves ? kTenCycles : kFiveCycles;
     if (e.reversals < few &&
         (e.form != ValveForm::kLinear || exact(best_nats(e)) > Threshold(kNoNats))) {
       last_.template emplace<BesideCurve>().start(
-          evidence_window(valve_stage().sums), setpoint_,
+          evidence_window(valve_stage().sums),
+          moves ? setpoint_ : std::span<const Real>(),
           {chosen_valve(), e.band_over_swing * movement_.swing,
            e.form == ValveForm::kLinear ? 0 : free_parameters(e.form)});
       stage_ = Stage::kBesideCurve;

@@ -2,6 +2,7 @@
 // window says of a rung can be added to what another says of it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -26,6 +27,30 @@ template <class Real>
 [[nodiscard]] Real rung_band(int rung, Real span) {
   return span * Real(kLowestRung) *
          elementary::pow(Real(kRungRatio), static_cast<Real>(rung));
+}
+
+/// Bands are tried from the one to the other share of the swing.
+inline constexpr double kLowestShare = 0.04;
+inline constexpr double kHighestShare = 1.25;
+
+/// Rungs first … last; none where `last` is less.
+struct RungRange {
+  int first = kRungs;
+  int last = -1;
+};
+
+/// Those that are tried.
+template <class Real>
+[[nodiscard]] RungRange rungs_within(Real swing, Real span) {
+  RungRange range;
+  for (int rung = 0; rung < kRungs; ++rung) {
+    const Real band = rung_band(rung, span);
+    if (band >= Real(kLowestShare) * swing && band <= Real(kHighestShare) * swing) {
+      range.first = std::min(range.first, rung);
+      range.last = rung;
+    }
+  }
+  return range;
 }
 
 /// The symmetric valve of a rung and of a slip 0 … kSlips − 1; it slides until u turns.

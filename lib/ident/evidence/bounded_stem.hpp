@@ -2,12 +2,9 @@
 // its travel.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 
-#include "ident/evidence/closed_loop_evidence.hpp"
-#include "ident/evidence/spoken_parts.hpp"
+#include "ident/evidence/stem_passes.hpp"
 
 namespace ident {
 
@@ -42,37 +39,26 @@ class BoundedStem {
   }
 
  private:
-  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kParts, kDone };
   static constexpr int kSpeeds = 10;  // stems 1 … kSpeeds; behind them those with ends
 
-  int piece();
-  void begin_sums(std::span<const LagBin> bins);
-  void lay();
+  void lay(int stem);
   void bound_by(int stem);
   [[nodiscard]] Real moved(Real x, Real u) const;
-  void take_error();
+  void take_nats();
   void take_coarse(Real nats);
-  void sum_part();
-  [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
-  [[nodiscard]] std::span<Real> stem() const { return window_.scratch.first(count_); }
+  void take_parts();
 
-  EvidenceWindow<Real> window_;
-  std::span<const Real> y_;  // thinned
-  std::size_t count_ = 0;    // of it
-  std::size_t thinning_ = 1;
-  std::size_t next_ = 0;
+  StemPasses<Real> passes_;
   int tried_ = 0;  // 0: u itself
   int best_ = 0;
   bool confirming_ = false;  // by fine lags
-  Real speed_ = 0;           // of the stem that is laid, unit of u a sample; 0: any
+  Real position_ = 0;        // of the stem that is laid
+  Real speed_ = 0;           // unit of u a sample; 0: any
   Real low_ = 0;             // its ends
   Real high_ = 0;
-  Real log_follows_ = 0;  // of the squared error with u
-  Real fine_ = 0;         // nats of the best by fine lags
-  SpokenParts<Real> parts_;
-  std::size_t part_ = 0;
+  Real fine_ = 0;  // nats of the best by fine lags
   Real nats_ = 0;
-  Stage stage_ = Stage::kDone;
+  bool done_ = true;
 };
 
 }  // namespace ident

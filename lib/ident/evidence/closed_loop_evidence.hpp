@@ -2,63 +2,18 @@
 // past of y, do not: evidence that holds in closed loop.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "ident/base/configurations.hpp"
 #include "ident/base/limits.hpp"
 #include "ident/evidence/band_ladder.hpp"
-#include "ident/evidence/one_step_sums.hpp"
-#include "ident/evidence/spoken_parts.hpp"
-#include "ident/signal/leap.hpp"
+#include "ident/evidence/stem_passes.hpp"
 #include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
-
-/// The window that is asked. Spans and sums must outlive the evidence.
-template <class Real>
-struct EvidenceWindow {
-  std::span<const Real> u;  ///< scaled, oldest first
-  std::span<const Real> y;  ///< zero mean, unit variance; as long
-  std::span<Real> scratch;  ///< as long
-  OneStepSums<Real>* sums = nullptr;
-  Real period = 0;  ///< of u, samples
-  Real swing = 1;   ///< usual distance of two turning points, unit of u
-  Real span = 1;    ///< of u, unit of u: the ladder's
-};
-
-/// Samples of the window that make one of those that are predicted: fewer where u leaps
-/// within them, which predictions by means cannot follow. The small sizes hardly thin.
-template <class Real>
-[[nodiscard]] std::size_t evidence_thinning(const EvidenceWindow<Real>& window) {
-  constexpr std::size_t kFewestPredicted = 500;
-  const Real most = std::min(window.period / Real(kEvidencePerCycle),
-                             static_cast<Real>(window.u.size()) / Real(kFewestPredicted));
-  const std::size_t thinning = most > Real(1) ? static_cast<std::size_t>(most) : 1;
-  return kSmallSizes ? thinning : thinning_for(window.u, thinning);
-}
-
-/// The means of `thinning` samples each, as many as `to` holds: there, or, where one
-/// sample is its own mean, where they are.
-template <class Real>
-std::span<const Real> thin_out(std::span<const Real> from, std::size_t thinning,
-                               std::span<Real> to) {
-  if (thinning == 1) {
-    return from.first(to.size());
-  }
-  for (std::size_t t = 0; t < to.size(); ++t) {
-    Real sum = 0;
-    for (std::size_t k = 0; k < thinning; ++k) {
-      sum += from[t * thinning + k];
-    }
-    to[t] = sum / static_cast<Real>(thinning);
-  }
-  return to;
-}
 
 /// Valves this close to the best, in nats, are as good: half of χ²(1) at 95 %.
 inline constexpr double kWithinNats = 1.92;
@@ -116,8 +71,8 @@ using Ladder = std::array<Real, kLadderValves>;
 /// `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve has
 /// to speak at most of its strokes: what it says in one place is left out
 /// (spoken_parts.hpp), not so in the small sizes. Or `start_beside_best` and `step`,
-/// where stems are searched: what a stem tells beside u. The window is thinned out to
-/// kEvidencePerCycle samples a cycle where that leaves 500.
+/// where stems are searched: what a stem tells beside u. The window is thinned out as
+/// stem_passes.hpp says.
 ///
 /// Cost on a Cortex-M4F, which has coarse lags only: a pass of some 1,000 instructions a
 /// predicted sample for each valve, 400 for each band that is planted; 52 and at most 50
@@ -126,10 +81,6 @@ using Ladder = std::array<Real, kLadderValves>;
 template <class Real>
 class ClosedLoopEvidence {
  public:
-  /// Bands are tried from the one to the other share of the swing.
-  static constexpr double kLowestShare = 0.04;
-  static constexpr double kHighestShare = 1.25;
-
   /// The ladder is filled in: 0 for bands too small to show, for those wider than the
   /// swing what a stem that never moves says.
   void start(const EvidenceWindow<Real>& window, Ladder<Real>& ladder);
@@ -163,7 +114,7 @@ class ClosedLoopEvidence {
   /// How often the stem of the one valve turned back.
   [[nodiscard]] int strokes() const { return strokes_; }
   /// Samples that are predicted; 0: the window is too short.
-  [[nodiscard]] std::size_t predicted() const { return predicted_; }
+  [[nodiscard]] std::size_t predicted() const { return passes_.rows(); }
 
   /// Nats that a band has to leave behind to be called detectable: far above what
   /// decides, since the stem that is tried is never quite the true one.
@@ -173,9 +124,7 @@ class ClosedLoopEvidence {
   static constexpr double kBends = 20;
 
  private:
-  enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kParts, kPlant, kDone };
   enum class Stem : std::uint8_t {
-    kFollows,
     kRests,
     kRung,
     kGiven,
@@ -193,61 +142,49 @@ class ClosedLoopEvidence {
   void begin(const EvidenceWindow<Real>& window, int parameters,
              std::span<const LagBin> bins);
   void begin_stem(Stem stem);
-  int piece();
-  int add_rows();
   Real move_stem(Real u);
-  int lay_some();
   void take_error();
-  int sum_part();
   void take_nats();
   void next_beside();
   void after_u();
   void take_rung();
-  int plant_some();
+  void take_planted();
   void keep_band(Real band, bool beyond_noise);
   void take_smooth_weights();
   void next_rung();
   void confirm();
-  void begin_sums(std::span<const LagBin> bins);
   void next_planted();
-  [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
+  // Whether a band that is planted has to show beyond what noise plants, too.
+  [[nodiscard]] bool beyond_noise() const {
+    return kStemSearch && hoped_.hoped_band > Real(0);
+  }
+  [[nodiscard]] StickSlipValve<Real> valve_of(int rung, int slip) const {
+    return {rung_valve<Real>(rung, slip, passes_.window().span), passes_.window().u[0]};
+  }
   [[nodiscard]] Real& rung_nats(int rung, int slip) const {
     return (*ladder_)[static_cast<std::size_t>(slip * kRungs + rung)];
   }
-  [[nodiscard]] std::span<Real> stem_positions() const {
-    return window_.scratch.first(count_);
-  }
 
-  EvidenceWindow<Real> window_;
-  std::span<const Real> y_;         // thinned
+  StemPasses<Real, 64> passes_;
   Ladder<Real>* ladder_ = nullptr;  // none: one valve only
   StickSlipValve<Real> given_{{}, Real(0)};
   StickSlipValve<Real> valve_{{}, Real(0)};
-  std::size_t thinning_ = 1;
-  std::size_t count_ = 0;  // thinned samples
-  std::size_t predicted_ = 0;
-  std::size_t next_ = 0;
-  Real log_follows_ = 0;  // of the squared error with u
-  Real error_follows_ = 0;
   Real nats_ = 0;  // of the stem that is laid
-  SpokenParts<Real> parts_;
-  std::size_t part_ = 0;
   Real best_ = 0;
   Real cost_ = 0;
   Real detectable_ = 0;
   [[no_unique_address]] HopedBand<Real> hoped_;
   int rung_ = 0;
   int slip_ = 0;
-  int first_rung_ = 0;
-  int last_rung_ = 0;
+  RungRange rungs_;
   int best_rung_ = -1;
   int best_slip_ = 0;
   int best_strokes_ = 0;
   int strokes_ = 0;    // of the stem that is laid
   int direction_ = 0;  // of its newest move
   Real position_ = 0;
-  Stage stage_ = Stage::kDone;
-  Stem stem_ = Stem::kFollows;
+  Stem stem_ = Stem::kRests;
+  bool done_ = true;
   bool planting_ = false;
   bool confirming_ = false;  // the best rung, by fine lags
   bool beside_ = false;      // u stands beside the valve

@@ -9,7 +9,6 @@
 namespace ident {
 namespace {
 
-constexpr std::size_t kRowsOfPlant = 32;
 // Noise is costly to look at: not at every rung.
 constexpr int kRungsOfNoise = 2;
 
@@ -19,7 +18,7 @@ template <class Real>
 void ClosedLoopEvidence<Real>::take_rung() {
   if (kConfirms && confirming_) {
     best_ = std::min(best_, nats_);
-    stage_ = Stage::kDone;
+    done_ = true;
     return;
   }
   rung_nats(rung_, slip_) = nats_;
@@ -38,24 +37,20 @@ void ClosedLoopEvidence<Real>::take_rung() {
 
 template <class Real>
 void ClosedLoopEvidence<Real>::next_rung() {
-  rung_ > last_rung_ ? confirm() : begin_stem(Stem::kRung);
+  rung_ > rungs_.last ? confirm() : begin_stem(Stem::kRung);
 }
 
 // What coarse lags say of the best rung, which alone says little of cycles as short as a
 // few of them, has to stand up to fine ones.
 template <class Real>
 void ClosedLoopEvidence<Real>::confirm() {
-  stage_ = Stage::kDone;
+  done_ = true;
   if constexpr (kConfirms) {
-    const std::size_t ladder_predicted = predicted_;
-    begin_sums(kLagBins);
-    if (best_rung_ < 0 || predicted_ == 0) {
-      predicted_ = ladder_predicted;
-      return;
+    if (best_rung_ >= 0 && passes_.begin(kLagBins)) {
+      confirming_ = true;
+      divides_ = !kSmallSizes;
+      done_ = false;
     }
-    confirming_ = true;
-    divides_ = !kSmallSizes;
-    stage_ = Stage::kOutput;
   }
 }
 
@@ -76,7 +71,7 @@ void ClosedLoopEvidence<Real>::keep_band(Real band, bool beyond_noise) {
 template <class Real>
 void ClosedLoopEvidence<Real>::take_smooth_weights() {
   if (stem_ == Stem::kSmooth) {
-    sums().solve_weights();
+    passes_.sums().solve_weights();
     begin_stem(Stem::kFollowsAgain);
     return;
   }
@@ -85,42 +80,36 @@ void ClosedLoopEvidence<Real>::take_smooth_weights() {
 }
 
 template <class Real>
-int ClosedLoopEvidence<Real>::plant_some() {
-  const bool noise = kStemSearch && hoped_.hoped_band > Real(0);
-  const std::size_t end = std::min(next_ + kRowsOfPlant, count_);
-  sums().add_planted(y_, {window_.u, thinning_}, stem_positions(), next_, end, noise);
-  next_ = end;
-  if (next_ < count_) {
-    return kUnit;
-  }
-  const Real rows = static_cast<Real>(predicted_);
-  Real planted = sums().planted();
+void ClosedLoopEvidence<Real>::take_planted() {
+  const bool noise = beyond_noise();
+  const Real rows = static_cast<Real>(passes_.rows());
+  Real planted = passes_.sums().planted();
   if (noise) {
-    const Real by_noise = sums().planted_by_noise() * error_follows_ / rows;
+    const Real by_noise = passes_.sums().planted_by_noise() * passes_.error_of_u() / rows;
     const Real root = std::max(std::sqrt(planted) - std::sqrt(by_noise), Real(0));
     planted = root * root;
   }
-  const Real nats = rows / Real(2) * elementary::log(Real(1) + planted / error_follows_);
+  const Real nats =
+      rows / Real(2) * elementary::log(Real(1) + planted / passes_.error_of_u());
   if (nats < Real(kShows)) {
     slip_ = 0;
     rung_ += noise ? kRungsOfNoise : 1;
   } else if (++slip_ == kSlips) {
-    keep_band(rung_band<Real>(rung_, window_.span), noise);
+    keep_band(rung_band<Real>(rung_, passes_.window().span), noise);
     if (kStemSearch && !noise) {
       planting_ = false;
       begin_stem(Stem::kSmooth);
-      return kUnit;
+      return;
     }
   }
   next_planted();
-  return kUnit;
 }
 
 // From the narrowest band up, until one shows whatever its slip; from there, where stems
 // are searched, until one does so beyond the noise of the weights.
 template <class Real>
 void ClosedLoopEvidence<Real>::next_planted() {
-  if (rung_ > last_rung_ || detectable_ > Real(0)) {
+  if (rung_ > rungs_.last || detectable_ > Real(0)) {
     planting_ = false;
     if constexpr (!kConfirms) {
       begin_stem(Stem::kRests);
@@ -135,7 +124,7 @@ void ClosedLoopEvidence<Real>::next_planted() {
 template <class Real>
 LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   LadderFinding<Real> found;
-  found.predicted = predicted_;
+  found.predicted = predicted();
   found.detectable_band = detectable_;
   if constexpr (kStemSearch) {
     found.hoped_band = hoped_.hoped_band;
@@ -148,7 +137,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   int lowest = best_rung_;
   int highest = best_rung_;
   const Real least = rung_nats(best_rung_, best_slip_) - Real(kWithinNats);
-  for (int rung = first_rung_; rung <= last_rung_; ++rung) {
+  for (int rung = rungs_.first; rung <= rungs_.last; ++rung) {
     for (int slip = 0; slip < kSlips; ++slip) {
       if (rung_nats(rung, slip) > least) {
         lowest = std::min(lowest, rung);
@@ -156,7 +145,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
       }
     }
   }
-  lay_interval(found, best_rung_, lowest, highest, window_.span);
+  lay_interval(found, best_rung_, lowest, highest, passes_.window().span);
   return found;
 }
 
@@ -164,7 +153,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   template void ClosedLoopEvidence<Real>::take_smooth_weights(); \
   template void ClosedLoopEvidence<Real>::take_rung();           \
   template void ClosedLoopEvidence<Real>::next_rung();           \
-  template int ClosedLoopEvidence<Real>::plant_some();           \
+  template void ClosedLoopEvidence<Real>::take_planted();        \
   template void ClosedLoopEvidence<Real>::next_planted();        \
   template LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const;
 STICKBAND_INSTANTIATE(float)

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <span>
 
-#include "ident/evidence/closed_loop_evidence.hpp"
+#include "ident/evidence/band_ladder.hpp"
+#include "ident/evidence/stem_passes.hpp"
+#include "ident/valve/stick_slip_valve.hpp"
 
 namespace ident {
 
@@ -31,7 +32,7 @@ struct FittedStem {
 template <class Real>
 class CurvedLadder {
  public:
-  /// `setpoint`: as long as u, in any unit; or empty.
+  /// `setpoint`: one that moves, as long as u, in any unit; or empty.
   void start(const EvidenceWindow<Real>& window, std::span<const Real> setpoint,
              const FittedStem<Real>& fitted);
   /// Some pieces, `budget` units; true when done.
@@ -46,37 +47,28 @@ class CurvedLadder {
   [[nodiscard]] Real wider_band() const;
 
  private:
-  enum class Stage : std::uint8_t { kThin, kOutput, kInput, kDone };
   static constexpr int kKinds = kSlips + 1;  // at each rung
   struct Best {
-    Real nats = 0;
+    Real nats = std::numeric_limits<Real>::lowest();
     Real band = 0;
   };
 
-  int piece();
-  void begin_sums();
-  void lay();
-  void take_error();
+  bool begin();
+  void take_nats();
   [[nodiscard]] StickSlipValve<Real> valve() const;
   [[nodiscard]] Best worth(Real gained) const;
-  [[nodiscard]] OneStepSums<Real>& sums() const { return *window_.sums; }
-  [[nodiscard]] std::span<Real> stem() const { return window_.scratch.first(count_); }
 
-  EvidenceWindow<Real> window_;
+  StemPasses<Real> passes_;
   std::span<const Real> setpoint_;  // empty: none that moves
   FittedStem<Real> fitted_;
-  std::span<const Real> y_;  // thinned
-  std::size_t count_ = 0;    // of it
-  std::size_t thinning_ = 1;
-  std::size_t next_ = 0;
-  int first_ = 0;         // of the ladder's
-  int last_ = 0;          // behind these: the fitted one
-  int tried_ = 0;         // −1: u itself
-  Real log_follows_ = 0;  // of the squared error with u
+  StickSlipValve<Real> valve_{{}, Real(0)};
+  int first_ = 0;  // of the ladder's
+  int last_ = 0;   // behind these: the fitted one
+  int tried_ = 0;
   std::array<Best, 2> best_{};
   bool beside_ = false;  // the setpoint
   bool known_ = false;
-  Stage stage_ = Stage::kDone;
+  bool done_ = true;
 };
 
 }  // namespace ident

@@ -4,12 +4,9 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 
-#include "ident/evidence/closed_loop_evidence.hpp"
 #include "ident/evidence/lag_bins.hpp"
-#include "ident/evidence/one_step_sums.hpp"
+#include "ident/evidence/stem_passes.hpp"
 
 namespace ident {
 
@@ -33,20 +30,14 @@ class CycleMemory {
   [[nodiscard]] Real nats() const { return nats_; }
 
  private:
-  enum class Stage : std::uint8_t { kThin, kLag, kOutput, kInput, kDone };
   static constexpr std::size_t kAround = 3;  // bins on either side of a cycle
   static constexpr std::size_t kLags = kCoarseLagBins.size() + 2 * kAround + 1;
 
-  int piece();
-  void thin();
-  void weigh_lag();
-  void begin_sums();
+  int weigh_lag();
+  void begin_without();
   void take_error();
-  [[nodiscard]] OneStepSums<Real>& sums() { return *window_.sums; }
 
-  EvidenceWindow<Real> window_;
-  std::span<const Real> u_;  // thinned
-  std::span<const Real> y_;
+  StemPasses<Real> passes_;
   std::array<LagBin, kLags> bins_;
   std::size_t bases_ = 0;  // of them, without a cycle's
   std::size_t lag_ = 0;
@@ -54,11 +45,10 @@ class CycleMemory {
   std::size_t cycle_ = 0;  // the lag at which y is most like itself
   Real most_alike_ = 0;
   std::size_t first_ = 0;  // predicted sample
-  std::size_t next_ = 0;
   Real log_without_ = 0;
   Real nats_ = 0;
   bool remembers_ = false;
-  Stage stage_ = Stage::kDone;
+  bool done_ = true;
 };
 
 }  // namespace ident

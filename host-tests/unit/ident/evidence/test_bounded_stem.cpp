@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ident/evidence/bounded_stem.hpp"
+#include "ident/evidence/closed_loop_evidence.hpp"
 #include "support/ident/problems.hpp"
 
 namespace ident {

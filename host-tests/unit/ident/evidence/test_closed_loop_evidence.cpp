@@ -334,14 +334,6 @@ TEST(ClosedLoopEvidence, ForgetsTheWindowBefore) {
   EXPECT_EQ(found.hoped_band, expected.hoped_band);
 }
 
-// Means that begin with the first sample; what does not fill the last one is left.
-TEST(ClosedLoopEvidence, ThinsOutByMeans) {
-  const Signal from{1, 2, 6, 0, -3, 3, 100};
-  Signal to(2);
-  thin_out<double>(from, 3, to);
-  EXPECT_EQ(to, Signal({3, 0}));
-}
-
 TEST(ClosedLoopEvidence, IsTheSameWhateverTheBudget) {
   const Signals signals = sticking(5);
   Asked<float> whole(signals);
