@@ -11,6 +11,9 @@
 
 namespace workbench {
 
+/// 95 % of a normal variable lie within so many standard deviations.
+inline constexpr double kNormal95 = 1.96;
+
 /// An autoregressive noise model: a[0] v(k) + a[1] v(k-1) + … = white, a[0] = 1.
 struct NoiseColour {
   std::vector<double> a = {1.0};

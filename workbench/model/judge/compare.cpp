@@ -170,7 +170,7 @@ ViewCurve lags_of(std::span<const double> residual, std::span<const double> u,
 Whiteness whiteness_of(const Fit& fit, std::span<const double> u, const Work& work) {
   Whiteness test;
   const auto n = static_cast<double>(fit.residual.size());
-  test.bound = 1.96 / std::sqrt(n);
+  test.bound = kNormal95 / std::sqrt(n);
   test.autocorrelation = autocorrelation(fit.residual, kLags);
   work.check();
   test.white = is_white(fit.residual);

@@ -13,7 +13,6 @@
 namespace workbench {
 namespace {
 
-constexpr double kNormal = 1.96;
 constexpr double kUnbounded = 1e9;  // search coordinates that no sample tells
 
 // A derivative over a step that the error notices, and the play below which it does not.
@@ -163,7 +162,7 @@ std::vector<DerivedValue> derived_intervals(const Fit& fit, const NoiseColour& c
       play += line.is_flat(j) ? kUnbounded : unit * line.slopes[j].play;
       for (std::size_t k = 0; k < row.size(); ++k) row[k] += unit * line.rows[j][k];
     }
-    const double width = kNormal * deviation(colour, std::move(row)) + play;
+    const double width = kNormal95 * deviation(colour, std::move(row)) + play;
     derived.interval = within_bounds(fit, derived, width, width);
   }
   return out;
@@ -261,7 +260,7 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
     const double mean = sum / count;
     const double spread = std::max(0.0, square / count - mean * mean);
     const double width =
-        kNormal * std::sqrt(spread + variance * dot(rows[i], rows[i])) + std::abs(mean);
+        kNormal95 * std::sqrt(spread + variance * dot(rows[i], rows[i])) + std::abs(mean);
     out.solved[i] = around(run, i, fit.coefficients[i], width);
   }
 }
@@ -269,7 +268,7 @@ void widen_solved(const Fitter& fitter, const Fit& fit, const Walk& walk, FreeRu
 }  // namespace
 
 double least_rise(const Fitter& fitter, const Fit& fit) {
-  return kNormal * kNormal * noise_variance(fitter, fit);
+  return kNormal95 * kNormal95 * noise_variance(fitter, fit);
 }
 
 FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
@@ -302,9 +301,9 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
   }
   for (std::size_t j = 0; j < line.slots.size(); ++j) {
     const SearchedParameter& parameter = fit.slots[line.slots[j]].parameter;
-    const double width =
-        line.is_flat(j) ? kUnbounded
-                        : kNormal * deviation(colour, line.rows[j]) + line.slopes[j].play;
+    const double width = line.is_flat(j) ? kUnbounded
+                                         : kNormal95 * deviation(colour, line.rows[j]) +
+                                               line.slopes[j].play;
     const double at = to_search(parameter, fit.p[line.slots[j]]);
     const double minded = parameter.initial ? width : rest.minding(width, j);
     const double reach = std::clamp(minded, finest(parameter), 1e3);
@@ -321,7 +320,7 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
       if (g == 0) continue;
       for (std::size_t k = 0; k < row.size(); ++k) row[k] -= g * line.rows[j][k];
     }
-    const double width = kNormal * deviation(colour, row);
+    const double width = kNormal95 * deviation(colour, row);
     const double minded =
         fit.columns[i].initial ? width : rest.minding(width, line.slots.size() + i);
     out.solved.push_back(around(run, i, fit.coefficients[i], minded));
@@ -349,7 +348,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& told) {
     const SearchedParameter& parameter = fit.slots[i].parameter;
     const double width = to_search(parameter, out.searched[i].high) -
                          to_search(parameter, out.searched[i].low);
-    scale.push_back(std::clamp(width / (2 * kNormal), 1e-5, kWidestScale));
+    scale.push_back(std::clamp(width / (2 * kNormal95), 1e-5, kWidestScale));
     searched += FreeRun::is_searched(fit.slots, fit.p, i);
   }
   const double variance = noise_variance(fitter, fit);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "workbench/model/base/least_squares.hpp"
+#include "workbench/model/base/noise.hpp"
 
 namespace workbench {
 namespace {
@@ -88,9 +89,8 @@ WithoutBeginning::WithoutBeginning(const std::vector<std::vector<double>>& jacob
 }
 
 double WithoutBeginning::minding(double width, std::size_t i) const {
-  constexpr double kNormal = 1.96;
   constexpr double kSurely = 3;
-  const double by_chance = width / kNormal * std::sqrt((variance[i] - 1) * noise);
+  const double by_chance = width / kNormal95 * std::sqrt((variance[i] - 1) * noise);
   const double away = std::abs(moved[i]);
   return away > std::max(width, kSurely * by_chance) ? width + away : width;
 }
