@@ -8,6 +8,7 @@
 #include "workbench/model/base/one_loop.hpp"
 #include "workbench/model/base/thinned.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -89,14 +90,6 @@ void refuse_few(const Recording& thinned, const Recording& recording,
                      std::to_string(thinned.size()) + " (it has one every " +
                          number(recording.period_s) + " s)",
                      "give recordings whose sample periods are nearer to each other");
-}
-
-std::string names_of(const std::vector<Recording>& recordings) {
-  std::string names;
-  for (const Recording& recording : recordings) {
-    names += (names.empty() ? "" : ", ") + recording.name;
-  }
-  return names;
 }
 
 void append(Recording& to, Recording from) {
@@ -204,7 +197,7 @@ Recording joined(std::vector<Recording> fitted, std::vector<Recording> judging) 
   if (fitted.size() == 1 && judging.empty() && fitted[0].resampling.gaps.empty()) {
     return std::move(fitted[0]);
   }
-  const std::string name = names_of(fitted);
+  const std::string name = listed(fitted, ", ", &Recording::name);
   const std::size_t first_judging = fitted.size();
   std::vector<Recording> all = std::move(fitted);
   for (Recording& one : judging) all.push_back(std::move(one));

@@ -11,6 +11,7 @@
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/known_first.hpp"
 #include "workbench/recording/filled.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench {
@@ -23,11 +24,7 @@ bool same_as(const Fitter& fitter, const Trial& best, const Trial& other) {
 }
 
 std::string name_of(const Trial& trial) {
-  std::string name;
-  for (const Effect* member : members_of(trial)) {
-    name += (name.empty() ? "" : " with ") + std::string(member->code());
-  }
-  return name;
+  return listed(members_of(trial), " with ", &Effect::code);
 }
 
 void conclude_on_member(Trial& trial, const Trial& whole) {
@@ -47,13 +44,11 @@ void conclude_on_unseen_member(Trial& trial, const Trial& whole) {
   const bool unseen =
       status == CandidateStatus::kNotExcited || status == CandidateStatus::kRejected;
   if (!unseen || !is_member(trial, whole)) return;
-  std::string others;
-  for (const Effect* member : members_of(whole)) {
-    if (member == trial.effect) continue;
-    others += (others.empty() ? "" : ", ") + std::string(member->code());
-  }
+  std::vector<const Effect*> others = members_of(whole);
+  std::erase(others, trial.effect);
   trial.candidate.status = CandidateStatus::kUndecided;
-  trial.candidate.evidence = filled("It shows only together with {0}.", {others});
+  trial.candidate.evidence =
+      filled("It shows only together with {0}.", {listed(others, ", ", &Effect::code)});
 }
 
 // What the readings themselves show, whatever the model.

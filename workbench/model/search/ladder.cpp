@@ -27,8 +27,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 const Effect& effect_named(std::string_view code, const Catalogue& catalogue) {
   const Effect* effect = catalogue.find_asked(code);
   if (effect == nullptr) {
-    throw std::invalid_argument("no effect '" + std::string(code) +
-                                "'; known effects: " + catalogue.codes());
+    throw std::invalid_argument(catalogue.no_effect(code));
   }
   return *effect;
 }
