@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "workbench/recording/column_name.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/spelling/column_words.hpp"
 #include "workbench/recording/statistics.hpp"
 
@@ -76,14 +77,7 @@ std::vector<std::string> names_of_moving(const std::vector<Load>& loads) {
 }
 
 std::string first_three(const std::vector<std::string>& names) {
-  constexpr std::size_t kNamed = 3;
-  std::string out;
-  for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i) {
-    out += (i > 0 ? ", " : "") + names[i];
-  }
-  if (names.size() > kNamed)
-    out += " and " + std::to_string(names.size() - kNamed) + " more";
-  return out;
+  return first_listed(names, {.things = 3});
 }
 
 }  // namespace workbench

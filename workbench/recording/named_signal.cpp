@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "workbench/recording/listed.hpp"
+
 namespace workbench {
 namespace {
 
@@ -60,16 +62,10 @@ std::string shell_word(const std::string& name) {
 }
 
 std::string list_of(const std::vector<NamedSignal>& candidates) {
-  std::string text;
-  std::size_t shown = 0;
-  for (const NamedSignal& candidate : candidates) {
-    if (text.size() > kLongestList) break;
-    text += (shown > 0 ? " " : "") + ("'" + cut_name(candidate.name.text)) + "'";
-    ++shown;
-  }
-  if (shown < candidates.size()) {
-    text += " and " + std::to_string(candidates.size() - shown) + " more";
-  }
+  std::string text = first_listed(candidates, {.letters = kLongestList}, " ",
+                                  [](const NamedSignal& candidate) {
+                                    return "'" + cut_name(candidate.name.text) + "'";
+                                  });
   if (!candidates.empty() && candidates[0].name.text == "#1") text += " without a header";
   return text;
 }

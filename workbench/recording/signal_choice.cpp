@@ -295,16 +295,9 @@ class Chooser {
   }
 
   [[noreturn]] void refuse_several(const std::vector<Loop>& fitting) const {
-    std::string prefixes;
-    std::size_t shown = 0;
-    for (const Loop& loop : fitting) {
-      if (prefixes.size() > kLongestList) break;
-      prefixes += (shown > 0 ? ", " : "") + cut_name(loop.prefix);
-      ++shown;
-    }
-    if (shown < fitting.size()) {
-      prefixes += " and " + std::to_string(fitting.size() - shown) + " more";
-    }
+    const std::string prefixes =
+        first_listed(fitting, {.letters = kLongestList}, ", ",
+                     [](const Loop& loop) { return cut_name(loop.prefix); });
     std::string options;
     for (const Column column : missing()) {
       options += (options.empty() ? "" : " ") +

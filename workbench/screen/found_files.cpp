@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "workbench/recording/letters.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/tag_file.hpp"
 
 namespace workbench {
@@ -158,15 +159,9 @@ FoundFiles find_files(const std::vector<std::string>& paths) {
 }
 
 std::string names_of_some(const std::vector<std::string>& files) {
-  constexpr std::size_t kMost = 8;
-  std::string out;
-  for (std::size_t i = 0; i < std::min(files.size(), kMost); ++i) {
-    out += (i == 0 ? "" : ", ") + fs::path(files[i]).filename().string();
-  }
-  if (files.size() > kMost) {
-    out += " and " + std::to_string(files.size() - kMost) + " more";
-  }
-  return out;
+  return first_listed(files, {.things = 8}, ", ", [](const std::string& file) {
+    return fs::path(file).filename().string();
+  });
 }
 
 bool is_date_like(const std::string& name) {

@@ -10,6 +10,7 @@
 #include "wire/candump_reader.hpp"
 #include "wire/j1939.hpp"
 #include "workbench/recording/input_error.hpp"
+#include "workbench/recording/listed.hpp"
 #include "workbench/recording/stopped.hpp"
 
 namespace workbench {
@@ -234,16 +235,11 @@ class LogReader {
     }
     if (!s.t.empty()) return;
     if (s.frames == 0) {
-      std::string seen;
-      std::size_t listed = 0;
-      for (const auto& [key, count] : ids_) {
-        if (++listed > kMaxIdsListed) break;
-        seen += (seen.empty() ? "" : ", ") + hex_id(key.first, key.second) + " (" +
-                std::to_string(count) + " frames)";
-      }
-      if (ids_.size() > kMaxIdsListed) {
-        seen += " and " + std::to_string(ids_.size() - kMaxIdsListed) + " more";
-      }
+      const std::string seen =
+          first_listed(ids_, {.things = kMaxIdsListed}, ", ", [](const auto& id) {
+            return hex_id(id.first.first, id.first.second) + " (" +
+                   std::to_string(id.second) + " frames)";
+          });
       fail(0, 0, frames_of(s.signal) + " of " + s.title(),
            seen.empty() ? "no data frame at all" : "only the identifiers " + seen,
            "check the signal, the DBC file and the log");

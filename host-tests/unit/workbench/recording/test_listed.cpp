@@ -17,5 +17,14 @@ TEST(Listed, SaysEachWithMarksBetween) {
   EXPECT_EQ(listed(std::vector<std::string>{}), "");
 }
 
+TEST(Listed, SaysHowManyMoreThereAre) {
+  const std::vector<std::string> names{"a", "bc", "d"};
+  EXPECT_EQ(first_listed(names, {.things = 2}), "a, bc and 1 more");
+  EXPECT_EQ(first_listed(names, {.things = 3}), "a, bc, d");
+  EXPECT_EQ(first_listed(names, {.letters = 1}, " "), "a bc and 1 more");
+  EXPECT_EQ(first_listed(names, {.letters = 0}), "a and 2 more");
+  EXPECT_EQ(first_listed(std::vector<std::string>{}, {.things = 0}), "");
+}
+
 }  // namespace
 }  // namespace workbench
