@@ -348,9 +348,7 @@ const char* stickband_effect_name(int32_t suspect) {
 }
 
 const char* stickband_reason_text(int32_t reason) {
-  if (reason < 0 || reason > static_cast<std::int32_t>(ident::Reason::kStemBounded)) {
-    return "";
-  }
+  if (reason < 0 || reason >= ident::kReasons) return "";
   return ident::sentence(static_cast<ident::Reason>(reason)).data();
 }
 

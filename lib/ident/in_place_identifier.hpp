@@ -182,6 +182,7 @@ class InPlaceIdentifier {
   void take_beside_setpoint();
   void look_beside_curve();
   void take_beside_curve();
+  [[nodiscard]] Reason judged() const;
   void take_verdict();
   void tell_bands_seen_ahead();
   void take_stem();

@@ -116,7 +116,8 @@ void InPlaceIdentifier<Real, Capacity>::take_beside_setpoint() {
   look_beside_curve();
 }
 
-// (E23) Whether a stem is needed at all in turns that are few.
+// Whether a stem is needed at all in turns that are few (E23), or where one speaks, but
+// not clearly (E24).
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::look_beside_curve() {
   stage_ = Stage::kJudge;
@@ -124,8 +125,9 @@ void InPlaceIdentifier<Real, Capacity>::look_beside_curve() {
     const Evidence<Real>& e = result_.evidence;
     const bool moves = setpoint_moves();
     const int few = moves ? kTenCycles : kFiveCycles;
-    if (e.reversals < few &&
-        (e.form != ValveForm::kLinear || exact(best_nats(e)) > Threshold(kNoNats))) {
+    const bool speaks =
+        e.form != ValveForm::kLinear || exact(best_nats(e)) > Threshold(kNoNats);
+    if (e.reversals < few ? speaks : may_be_curve(judged())) {
       last_.template emplace<BesideCurve>().start(
           evidence_window(valve_stage().sums),
           moves ? setpoint_ : std::span<const Real>(),
@@ -140,7 +142,7 @@ template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_beside_curve() {
   if constexpr (kStemSearch) {
     const CurvedLadder<Real>& curved = *std::get_if<BesideCurve>(&last_);
-    result_.evidence.curved = {curved.known(), curved.nats(),
+    result_.evidence.curved = {curved.known(), curved.nats(), curved.curve_nats(),
                                curved.narrower_band() / movement_.swing,
                                curved.wider_band() / movement_.swing};
   }

@@ -90,7 +90,7 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
   }
   result_.evidence.ladder = found;
   if (options_.ends_early && nothing_sticks()) {
-    finish(doubt_compressed(judge_unfitted(result_.evidence, result_.loop),
+    finish(doubt_compressed(judge_without_stem(result_.evidence, result_.loop),
                             result_.evidence, result_.health));
     return;
   }
@@ -249,10 +249,18 @@ void InPlaceIdentifier<Real, Capacity>::take_bands() {
 }
 
 template <class Real, std::size_t Capacity>
+Reason InPlaceIdentifier<Real, Capacity>::judged() const {
+  return doubted(judge(result_.evidence, result_.loop), result_.evidence, result_.health,
+                 result_.stick_band, {movement_.period, result_.fit_percent});
+}
+
+template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::take_verdict() {
   const Evidence<Real>& evidence = result_.evidence;
-  Reason reason = doubted(judge(evidence, result_.loop), evidence, result_.health,
-                          result_.stick_band, {movement_.period, result_.fit_percent});
+  Reason reason = judged();
+  if constexpr (kStemSearch) {
+    reason = explained_by_curve(reason, evidence, result_.loop, result_.health);
+  }
   const bool under_load = reason == Reason::kSticksUnderLoad;
   if (is_fault(verdict_of(reason)) &&
       (under_load || searched_stem_is_told(evidence, result_.stick_band))) {

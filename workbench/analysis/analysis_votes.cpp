@@ -70,6 +70,11 @@ void Analysis::judge_together(const std::vector<Identification>& results, float 
     double windows = counted;
     double bounded = 0;  // of stems in windows that added nothing for a bounded one
     for (const Identification& one : results) {
+      // What a stem told there is the characteristic's.
+      if (one.reason == ident::Reason::kCurveExplains) {
+        speaks -= std::max(one.evidence.ladder.nats, 0.0);
+        continue;
+      }
       if (!ident::bound_outweighs(one.evidence)) continue;
       bounded += one.evidence.ladder.nats;
       ++windows;

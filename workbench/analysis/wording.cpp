@@ -56,13 +56,13 @@ std::string_view advice_on_sticking(bool slips) {
   return slips
              ? "Confirm in manual: step the controller output by less than the stick "
                "band, then by more; the process answers only to the second. Then look at "
-               "packing, actuator and positioner. Retuning slows the cycle but does not "
-               "end it."
+               "packing, actuator and positioner. Retuning may slow a cycle but does not "
+               "free the stem."
              : "Confirm in manual: step the controller output by less than the stick "
                "band, then by more; the process answers only to the second. Then look at "
                "packing, actuator and positioner, and for play in the linkage: the "
-               "recording does not tell which. Retuning slows the cycle but does not end "
-               "it.";
+               "recording does not tell which. Retuning may slow a cycle but does not "
+               "free the stem.";
 }
 
 std::string_view advice_on(ident::Reason reason, bool slips) {
@@ -84,27 +84,15 @@ std::string_view advice_on(ident::Reason reason, bool slips) {
     case Reason::kBandDoesNotMatter:
       return "Leave the valve alone. If the loop oscillates, look at the tuning and at "
              "disturbances from other loops.";
+    case Reason::kCurveExplains:
+      return "Tune for the end of the swing where the process output answers most, or "
+             "linearise the controller output. The valve may still stick: step the "
+             "controller output in manual, by as little as matters, and see whether the "
+             "process answers.";
     case Reason::kNotTheValve:
       return "Look for the cause elsewhere first: the tuning, another loop with the same "
              "period, or a periodic load. Small steps of the controller output in manual "
              "tell whether the valve sticks as well; one that answers none is stuck.";
-    case Reason::kNone:
-    case Reason::kConstant:
-    case Reason::kTooShort:
-    case Reason::kOneStroke:
-    case Reason::kTooFewCycles:
-    case Reason::kAtLimit:
-    case Reason::kSetpointMoves:
-    case Reason::kModelTooPoor:
-    case Reason::kEvidenceTooWeak:
-    case Reason::kBandBelowResolution:
-    case Reason::kBandWouldNotShow:
-    case Reason::kStemUnconfirmed:
-    case Reason::kWindowsDisagree:
-    case Reason::kNotFinite:
-    case Reason::kLoadRepeats:
-    case Reason::kTurnsTooFast:
-      return "";  // the reason itself says what data would tell
     case Reason::kStemBounded:
       return "Step the controller output in manual by more than the swing, and watch how "
              "fast the stem moves and where it stops: look at air supply, positioner, "
@@ -122,8 +110,9 @@ std::string_view advice_on(ident::Reason reason, bool slips) {
     case Reason::kCompressed:
       return "Switch off compression and exception deadband for both tags in the "
              "historian, or record at the controller, and record again.";
+    default:
+      return "";  // the reason itself says what data would tell
   }
-  return "";
 }
 
 }  // namespace

@@ -17,14 +17,18 @@ void CurvedLadder<Real>::start(const EvidenceWindow<Real>& window,
   const RungRange rungs = rungs_within(window.swing, window.span);
   first_ = rungs.first * kKinds;
   last_ = (rungs.last + 1) * kKinds;
-  known_ = first_ < last_ && begin();
+  known_ = first_ < last_ && begin(PassOf::kStem);
   done_ = !known_;
 }
 
 template <class Real>
-bool CurvedLadder<Real>::begin() {
+bool CurvedLadder<Real>::begin(PassOf of_u) {
   tried_ = first_;
-  return passes_.begin(kCoarseLagBins, PassOf::kStemAndSquare);
+  const bool begun = passes_.begin(kCoarseLagBins, of_u);
+  if (beside_) {
+    passes_.stand_beside(setpoint_);
+  }
+  return begun;
 }
 
 // At each rung, behind those of the ladder, the last of them once more, sticking after
@@ -44,32 +48,63 @@ StickSlipValve<Real> CurvedLadder<Real>::valve() const {
   return {friction, window.u[0]};
 }
 
-// Of the stem that is tried: nats after its cost.
+// What the parameters of the stem that is tried cost, nats.
 template <class Real>
-typename CurvedLadder<Real>::Best CurvedLadder<Real>::worth(Real gained) const {
-  const bool fitted = tried_ == last_;
-  const int parameters = fitted ? fitted_.parameters : 2;
-  return {gained - static_cast<Real>(parameters) / Real(2) *
-                       elementary::log(static_cast<Real>(passes_.rows())),
-          fitted ? fitted_.band : rung_band(tried_ / kKinds, passes_.window().span)};
+Real CurvedLadder<Real>::cost() const {
+  const int parameters = tried_ == last_ ? fitted_.parameters : 2;
+  return static_cast<Real>(parameters) / Real(2) *
+         elementary::log(static_cast<Real>(passes_.rows()));
+}
+
+template <class Real>
+Real CurvedLadder<Real>::band() const {
+  return tried_ == last_ ? fitted_.band
+                         : rung_band(tried_ / kKinds, passes_.window().span);
+}
+
+// First u alone, then, with as much memory of y, its square beside it.
+template <class Real>
+void CurvedLadder<Real>::take_u() {
+  if (!bent_) {
+    error_of_u_ = passes_.error_of_u();
+    bent_ = true;
+    begin(PassOf::kStemAndSquare);
+    return;
+  }
+  const Real rows = static_cast<Real>(passes_.rows());
+  const Real lags = static_cast<Real>(passes_.sums().bins());
+  best_[beside_ ? 1 : 0].curve_nats =
+      rows / Real(2) * elementary::log(error_of_u_ / passes_.error_of_u()) -
+      lags / Real(2) * elementary::log(rows);
+  try_next();
 }
 
 template <class Real>
 void CurvedLadder<Real>::take_nats() {
   const Real gained = passes_.nats();
-  if (!passes_.follows()) {
-    Best& best = best_[beside_ ? 1 : 0];
-    const Best found = worth(gained);
-    best = found.nats > best.nats ? found : best;
-    ++tried_;
+  if (passes_.follows()) {
+    take_u();
+    return;
   }
+  Best& best = best_[beside_ ? 1 : 0];
+  const Real nats = gained - cost();
+  if (nats > best.nats) {
+    best.nats = nats;
+    best.band = band();
+  }
+  ++tried_;
+  try_next();
+}
+
+template <class Real>
+void CurvedLadder<Real>::try_next() {
   if (tried_ < last_ || (tried_ == last_ && fitted_.parameters > 0)) {
     valve_ = valve();
     passes_.next(PassOf::kStemAndSquare);
   } else if (!beside_ && !setpoint_.empty()) {
     beside_ = true;
-    begin();
-    passes_.stand_beside(setpoint_);
+    bent_ = false;
+    begin(PassOf::kStem);
   } else {
     done_ = true;
   }
@@ -82,21 +117,6 @@ bool CurvedLadder<Real>::step(int budget) {
         passes_.piece([this](Real u) { return valve_.step(u); }, [this] { take_nats(); });
   }
   return done_;
-}
-
-template <class Real>
-Real CurvedLadder<Real>::nats() const {
-  return beside_ ? std::min(best_[0].nats, best_[1].nats) : best_[0].nats;
-}
-
-template <class Real>
-Real CurvedLadder<Real>::narrower_band() const {
-  return beside_ ? std::min(best_[0].band, best_[1].band) : best_[0].band;
-}
-
-template <class Real>
-Real CurvedLadder<Real>::wider_band() const {
-  return beside_ ? std::max(best_[0].band, best_[1].band) : best_[0].band;
 }
 
 template class CurvedLadder<float>;

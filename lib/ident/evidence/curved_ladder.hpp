@@ -1,6 +1,7 @@
 // Whether a stem foretells y where a bent characteristic and the setpoint are known, too.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <span>
@@ -23,6 +24,7 @@ struct FittedStem {
 /// from u where the lags of their squares stand beside both, and once more where those of
 /// the setpoint do, too. In a few turns of u a stem does what a bent characteristic does,
 /// or a controller that has just been given another setpoint; beside these it does not.
+/// (E24) And nats by which the lags of the square help u itself.
 ///
 /// Life: `start`, then `step` until it says true: u and the stems of the ladder (E11)
 /// between a twenty-fifth and five quarters of the swing, one that sticks again after
@@ -41,22 +43,31 @@ class CurvedLadder {
   [[nodiscard]] bool known() const { return known_; }
   /// Of the best stem after the cost of its parameters, two of a rung, when done: the
   /// smaller number of both.
-  [[nodiscard]] Real nats() const;
+  [[nodiscard]] Real nats() const { return smaller(&Best::nats); }
+  /// Of the characteristic, after the cost of all of its lags; likewise.
+  [[nodiscard]] Real curve_nats() const { return smaller(&Best::curve_nats); }
   /// The narrower and the wider stick band of the best stems, unit of u.
-  [[nodiscard]] Real narrower_band() const;
-  [[nodiscard]] Real wider_band() const;
+  [[nodiscard]] Real narrower_band() const { return smaller(&Best::band); }
+  [[nodiscard]] Real wider_band() const { return std::max(best_[0].band, best_[1].band); }
 
  private:
   static constexpr int kKinds = kSlips + 1;  // at each rung
   struct Best {
     Real nats = std::numeric_limits<Real>::lowest();
     Real band = 0;
+    Real curve_nats = 0;
   };
 
-  bool begin();
+  bool begin(PassOf of_u);
+  void take_u();
+  [[nodiscard]] Real smaller(Real Best::*number) const {
+    return beside_ ? std::min(best_[0].*number, best_[1].*number) : best_[0].*number;
+  }
   void take_nats();
+  void try_next();
   [[nodiscard]] StickSlipValve<Real> valve() const;
-  [[nodiscard]] Best worth(Real gained) const;
+  [[nodiscard]] Real cost() const;
+  [[nodiscard]] Real band() const;
 
   StemPasses<Real> passes_;
   std::span<const Real> setpoint_;  // empty: none that moves
@@ -66,6 +77,8 @@ class CurvedLadder {
   int last_ = 0;   // behind these: the fitted one
   int tried_ = 0;
   std::array<Best, 2> best_{};
+  Real error_of_u_ = 0;  // without its square
+  bool bent_ = false;    // with it
   bool beside_ = false;  // the setpoint
   bool known_ = false;
   bool done_ = true;

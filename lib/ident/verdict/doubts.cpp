@@ -168,9 +168,33 @@ Reason doubt_curved(Reason found, const Evidence<Real>& e) {
 }
 
 template <class Real>
+Reason explained_by_curve(Reason found, const Evidence<Real>& e,
+                          const LoopEvidence<Real>& loop,
+                          const RecordHealth<Real>& health) {
+  const bool explains = e.curved.weighed && !(e.curved.nats > Real(0)) &&
+                        outweighs<Real>({e.curved.curve_nats, {}}, best_nats(e));
+  if (!may_be_curve(found) || !explains) {
+    return found;
+  }
+  const bool follows = judge_without_stem(e, loop) == Reason::kLinearExplains;
+  return follows ? doubt_compressed(Reason::kCurveExplains, e, health) : found;
+}
+
+// What speaks one sample ahead for bands that running free are not told from 0. In a few
+// turns of u a stem of another band is another one, if any.
+template <class Real>
+Threshold nats_of_bands(const Evidence<Real>& e) {
+  const bool many = e.reversals >= kFiveCycles;
+  const Threshold rung =
+      many || has_band(e, e.ladder.band) ? exact(e.ladder.nats) : Threshold(0);
+  const Threshold curved =
+      has_band(e, Real(e.curved.wider_band)) ? exact(e.curved.nats) : Threshold(0);
+  return std::max({exact(nats_of_stems(e, Real(0))), rung, curved});
+}
+
+template <class Real>
 Reason doubt_bands(Reason found, const Evidence<Real>& e, const PerStroke<Real>& fitted) {
-  const bool ahead =
-      exact(std::max(best_nats(e), Real(e.curved.nats))) > Threshold(kAgreedNats);
+  const bool ahead = nats_of_bands(e) > Threshold(kAgreedNats);
   return is_fault(verdict_of(found)) && reach_zero(fitted) && !ahead
              ? Reason::kEvidenceTooWeak
              : found;
@@ -215,6 +239,9 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);                 \
   template Reason doubt_setpoint<Real>(Reason, const Evidence<Real>&);             \
   template Reason doubt_curved<Real>(Reason, const Evidence<Real>&);               \
+  template Reason explained_by_curve<Real>(Reason, const Evidence<Real>&,          \
+                                           const LoopEvidence<Real>&,              \
+                                           const RecordHealth<Real>&);             \
   template bool few_turns<Real>(const Evidence<Real>&);                            \
   template Reason doubt_few_turns<Real>(Reason, const Evidence<Real>&, Real);      \
   template Reason doubt_bands<Real>(Reason, const Evidence<Real>&,                 \

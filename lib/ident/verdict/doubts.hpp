@@ -72,6 +72,20 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_curved(Reason found, const Evidence<Real>& evidence);
 
+/// Whether a reason leaves a window open for what a stem tells, which a bent
+/// characteristic may tell as well.
+[[nodiscard]] constexpr bool may_be_curve(Reason found) {
+  return found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed ||
+         found == Reason::kStemBounded;
+}
+/// What such a characteristic (E24) makes of it where it tells clearly more than any stem
+/// and leaves none anything to tell (E23): no stiction, if the window were judged so
+/// without a stem.
+template <class Real>
+[[nodiscard]] Reason explained_by_curve(Reason found, const Evidence<Real>& evidence,
+                                        const LoopEvidence<Real>& loop,
+                                        const RecordHealth<Real>& health);
+
 /// What intervals of both stick bands that reach 0 leave of a fault, `fitted` running
 /// free: nothing firm, unless a stem says more than a little one sample ahead.
 template <class Real>

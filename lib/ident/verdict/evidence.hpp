@@ -60,12 +60,13 @@ struct StemBesideSetpoint {
   Real nats = 0;
 };
 
-/// What a stem tells beside a bent characteristic and the setpoint (E23): bands over the
-/// usual swing of u.
+/// What a stem tells beside a bent characteristic and the setpoint (E23), and that
+/// characteristic beside u (E24): bands over the usual swing of u.
 template <class Real>
 struct CurvedFinding {
   bool weighed = false;
   Real nats = 0;
+  Real curve_nats = 0;
   Real narrower_band = 0;
   Real wider_band = 0;
 };

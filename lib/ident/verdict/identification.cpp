@@ -112,6 +112,10 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "A valve that moves slowly, or a process that answers less beyond some controller "
      "output (a travel stop, a limit downstream, a curve), foretells the process output "
      "better than a valve that sticks."},
+    {Reason::kCurveExplains,
+     "The process output answers more to the controller output at one end of its swing "
+     "than at the other: that bent characteristic foretells it, and a sticking valve "
+     "adds nothing."},
 });
 
 }  // namespace

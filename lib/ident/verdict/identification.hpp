@@ -55,7 +55,10 @@ enum class Reason : std::uint8_t {
   kLoadRepeats,   ///< what happened one cycle ago foretells y as well as a stem does
   kTurnsTooFast,  ///< u turns about as often as it is sampled: noise, or a faster cycle
   kStemBounded,   ///< a stem of limited speed or travel foretells y better
+  // no stiction
+  kCurveExplains,  ///< a bent characteristic foretells y, and no stem beside it
 };
+inline constexpr int kReasons = static_cast<int>(Reason::kCurveExplains) + 1;
 
 /// Each reason has one verdict.
 [[nodiscard]] constexpr Verdict verdict_of(Reason reason) {
@@ -73,6 +76,7 @@ enum class Reason : std::uint8_t {
     case Reason::kLinearExplains:
     case Reason::kBandDoesNotMatter:
     case Reason::kNotTheValve:
+    case Reason::kCurveExplains:
       return Verdict::kNoStiction;
     case Reason::kNotFinite:
       return Verdict::kBadData;

@@ -63,8 +63,6 @@ constexpr Threshold kBetter = Threshold(1.15);
 constexpr Threshold kMoreCycles = Threshold(0.66);
 // A valve that follows u explains this share of y, in percent: no load hides a stem.
 constexpr Threshold kWellExplained = Threshold(80);
-// The same band, seen in two ways, within this factor.
-constexpr Threshold kSameBand = Threshold(1.5);
 // The same where a valve fitted to a few turns, under loads, is compared.
 constexpr Threshold kMuchTheSame = Threshold(2);
 // A stem whose band is narrower than this share of the swing leaves out the noise that
@@ -86,13 +84,6 @@ template <class Real>
 bool steadily_better(const Evidence<Real>& e) {
   return exact(e.score) > kEnough && exact(e.error_ratio) > kBetter &&
          exact(e.consistency) > kConsistent;
-}
-
-// Whether the valve that was fitted running free has that band, over the swing.
-template <class Real>
-bool has_band(const Evidence<Real>& e, Real band) {
-  const Threshold ratio = exact(band / e.band_over_swing);
-  return ratio > 1 / kSameBand && ratio < kSameBand;
 }
 
 // Whether a band that foretells y may be the valve's: wide enough to leave no noise out.
@@ -376,22 +367,24 @@ bool better_running_free(const Evidence<Real>& e) {
 }
 
 template <class Real>
-Reason judge_unfitted(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
+Reason judge_without_stem(const Evidence<Real>& e, const LoopEvidence<Real>& loop) {
   // Where nothing was fitted, only an oscillation shows that u moves y.
-  return qualified(nothing_found(e, loop.oscillates, !loop.oscillates), e, loop);
+  const bool fitted = e.fit_linear_percent > Real(0);
+  const bool poor = fitted ? exact(e.fit_linear_percent) < kPoorFit : !loop.oscillates;
+  return qualified(nothing_found(e, loop.oscillates, poor), e, loop);
 }
 
-#define STICKBAND_INSTANTIATE(Real)                                  \
-  template Real beyond_rivals<Real>(const Evidence<Real>&, Real);    \
-  template bool fitted_valve_sticks<Real>(const Evidence<Real>&);    \
-  template bool load_may_hide<Real>(const Evidence<Real>&);          \
-  template bool may_stick_together<Real>(const Evidence<Real>&);     \
-  template bool searched_stem_sticks<Real>(const Evidence<Real>&);   \
-  template bool searched_stem_is_told<Real>(const Evidence<Real>&,   \
-                                            const PerStroke<Real>&); \
-  template bool better_running_free<Real>(const Evidence<Real>&);    \
-  template Reason judge_unfitted<Real>(const Evidence<Real>&,        \
-                                       const LoopEvidence<Real>&);   \
+#define STICKBAND_INSTANTIATE(Real)                                    \
+  template Real beyond_rivals<Real>(const Evidence<Real>&, Real);      \
+  template bool fitted_valve_sticks<Real>(const Evidence<Real>&);      \
+  template bool load_may_hide<Real>(const Evidence<Real>&);            \
+  template bool may_stick_together<Real>(const Evidence<Real>&);       \
+  template bool searched_stem_sticks<Real>(const Evidence<Real>&);     \
+  template bool searched_stem_is_told<Real>(const Evidence<Real>&,     \
+                                            const PerStroke<Real>&);   \
+  template bool better_running_free<Real>(const Evidence<Real>&);      \
+  template Reason judge_without_stem<Real>(const Evidence<Real>&,      \
+                                           const LoopEvidence<Real>&); \
   template Reason judge<Real>(const Evidence<Real>&, const LoopEvidence<Real>&);
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

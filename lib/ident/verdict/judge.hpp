@@ -46,6 +46,15 @@ template <class Real>
 /// free, which the small sizes do not ask.
 inline constexpr Threshold kWidestBand = Threshold(1.05);
 
+/// Whether the valve that was fitted running free has that band, over the swing.
+template <class Real>
+[[nodiscard]] bool has_band(const Evidence<Real>& evidence, Real band) {
+  // The same band, seen in two ways, within this factor.
+  constexpr Threshold kSameBand = Threshold(1.5);
+  const Threshold ratio = exact(band / evidence.band_over_swing);
+  return ratio > 1 / kSameBand && ratio < kSameBand;
+}
+
 /// Whether the valve of this window may be one of which only several windows together
 /// leave no doubt: it moves the output, u swings beyond its band, and that is wide enough
 /// to leave no noise out, or that of the valve fitted running free. Without a search of
@@ -88,11 +97,12 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool better_running_free(const Evidence<Real>& evidence);
 
-/// Judges a window that no valve was fitted to, because the ladder knows of none: does
-/// not stick where a band that matters would have shown, else undecided.
+/// Judges a window as if no stem spoke, because the ladder knows of none and no valve was
+/// fitted, or because what spoke is none: does not stick where a band that matters would
+/// have shown, else undecided.
 template <class Real>
-[[nodiscard]] Reason judge_unfitted(const Evidence<Real>& evidence,
-                                    const LoopEvidence<Real>& loop);
+[[nodiscard]] Reason judge_without_stem(const Evidence<Real>& evidence,
+                                        const LoopEvidence<Real>& loop);
 
 /// The reason once the intervals of both stick bands are known: a stroke whose interval
 /// reaches 0 is not said to stick, and one stroke is said to stick alone only where the

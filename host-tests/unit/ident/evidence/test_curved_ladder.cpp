@@ -59,6 +59,7 @@ struct CurvedNats {
   double nats = 0;
   double narrower = 0;
   double wider = 0;
+  double of_curve = 0;
 };
 
 CurvedNats nats_of(const SteppedLoop& loop, bool setpoint = true, int budget = 1000000,
@@ -75,7 +76,8 @@ CurvedNats nats_of(const SteppedLoop& loop, bool setpoint = true, int budget = 1
                fitted);
   while (!ladder.step(budget)) {
   }
-  return {ladder.known(), ladder.nats(), ladder.narrower_band(), ladder.wider_band()};
+  return {ladder.known(), ladder.nats(), ladder.narrower_band(), ladder.wider_band(),
+          ladder.curve_nats()};
 }
 
 TEST(CurvedLadder, KnowsAStemThatSlides) {
@@ -109,6 +111,13 @@ TEST(CurvedLadder, SaysNothingOfAStemThatFollows) {
 
 TEST(CurvedLadder, TakesNoBentCharacteristicForAStem) {
   EXPECT_LT(nats_of(bent_in_steps()).nats, 5);
+}
+
+TEST(CurvedLadder, WeighsTheCharacteristicItself) {
+  EXPECT_GT(nats_of(bent_in_steps()).of_curve, 100);
+  EXPECT_LT(nats_of(bent_in_steps()).of_curve, nats_of(bent_in_steps(), false).of_curve);
+  EXPECT_LT(nats_of(stepped([](double u) { return u; })).of_curve, -20)
+      << "twelve lags cost 42 nats";
 }
 
 TEST(CurvedLadder, TakesTheSmallerNumberWhereTheSetpointMoves) {

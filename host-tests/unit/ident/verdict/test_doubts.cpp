@@ -143,11 +143,58 @@ TEST(Doubts, LeaveAFaultOpenWhoseBandsReachNothing) {
   if (kStemSearch) {
     Evidence<double> e = sticking();
     e.ladder.nats = 0;
-    e.curved = {true, 26, 0.5, 0.5};
+    e.curved = {true, 26, 0, 0.5, 0.5};
     const PerStroke<double> reaching{{true, 5, 0, 6}, {true, 4, 0, 6}};
+    EXPECT_EQ(doubt_bands(Reason::kDeadbandOnly, e, reaching), Reason::kDeadbandOnly);
+    // Of another band, in a few turns, it is no evidence for this one.
+    e.reversals = 9;
+    e.curved.wider_band = 2 * e.band_over_swing;
+    EXPECT_EQ(doubt_bands(Reason::kDeadbandOnly, e, reaching), Reason::kEvidenceTooWeak);
+    e.ladder.nats = 26;
+    e.ladder.band = 2 * e.band_over_swing;
+    EXPECT_EQ(doubt_bands(Reason::kDeadbandOnly, e, reaching), Reason::kEvidenceTooWeak);
+    e.reversals = 10;
     EXPECT_EQ(doubt_bands(Reason::kDeadbandOnly, e, reaching), Reason::kDeadbandOnly);
   }
   EXPECT_EQ(judged(Reason::kLinearExplains, 0, 25), Reason::kLinearExplains);
+}
+
+TEST(Doubts, AskWhetherACurveDoesWhatAStemWouldDo) {
+  Evidence<double> e = sticking();
+  e.form = ValveForm::kLinear;
+  e.ladder = {};
+  e.ladder.predicted = 1000;
+  e.ladder.hoped_band = 0.2;
+  e.fit_linear_percent = 60;
+  e.curved = {true, -1, 11, 0.5, 0.5};
+  LoopEvidence<double> loop;
+  loop.oscillates = true;
+  const RecordHealth<double> health;
+  const auto left_of = [&](Reason found) {
+    return explained_by_curve(found, e, loop, health);
+  };
+  for (const Reason open :
+       {Reason::kEvidenceTooWeak, Reason::kStemUnconfirmed, Reason::kStemBounded}) {
+    EXPECT_TRUE(may_be_curve(open));
+    EXPECT_EQ(left_of(open), Reason::kCurveExplains);
+  }
+  for (const Reason other : {Reason::kSticksBothStrokes, Reason::kLoadRepeats}) {
+    EXPECT_EQ(left_of(other), other);
+  }
+  const Reason open = Reason::kEvidenceTooWeak;
+  const auto still_open = [&](auto change) {
+    const Evidence<double> before = e;
+    change(e);
+    const bool still = left_of(open) == open;
+    e = before;
+    return still;
+  };
+  EXPECT_TRUE(still_open([](auto& c) { c.curved.nats = 1; })) << "a stem beside it";
+  EXPECT_TRUE(still_open([](auto& c) { c.curved.curve_nats = 10; }));
+  EXPECT_TRUE(still_open([](auto& c) { c.ladder.nats = 10; })) << "nearly as much";
+  EXPECT_TRUE(still_open([](auto& c) { c.curved.weighed = false; }));
+  EXPECT_TRUE(still_open([](auto& c) { c.ladder.hoped_band = 0.4; })) << "would hide";
+  EXPECT_TRUE(still_open([](auto& c) { c.fit_linear_percent = 20; })) << "too poor";
 }
 
 TEST(Doubts, KnowWhereYBends) {
@@ -268,7 +315,7 @@ TEST(Doubts, LeaveAFaultOpenThatACurveAndTheSetpointMake) {
   Evidence<double> e = sticking();
   const Reason found = Reason::kSticksBothStrokes;
   EXPECT_EQ(doubt_curved(found, e), found) << "not asked";
-  e.curved = {true, 1, 0.5, 0.5};
+  e.curved = {true, 1, 0, 0.5, 0.5};
   EXPECT_EQ(doubt_curved(found, e), found);
   e.curved.nats = 0;
   EXPECT_EQ(doubt_curved(found, e), Reason::kEvidenceTooWeak);

@@ -8,8 +8,6 @@
 namespace ident {
 namespace {
 
-constexpr int kReasons = static_cast<int>(Reason::kStemBounded) + 1;
-
 TEST(Identification, HasOneSentenceForEachReason) {
   std::set<std::string_view> seen;
   for (int k = 1; k < kReasons; ++k) {
@@ -27,7 +25,7 @@ TEST(Identification, HasOneVerdictForEachReason) {
   }
   // In the order of Reason: (s)tiction, (b)acklash, (n)o stiction, (u)ndecided; bad data
   // is the other b.
-  EXPECT_EQ(verdicts, "ussssbsnnnuuuuuuuuuuussubuuuuuuu");
+  EXPECT_EQ(verdicts, "ussssbsnnnuuuuuuuuuuussubuuuuuuun");
   EXPECT_EQ(verdict_of(Reason::kDeadbandOnly), Verdict::kBacklash);
   EXPECT_EQ(verdict_of(Reason::kNotFinite), Verdict::kBadData);
 }

@@ -221,7 +221,7 @@ TEST(Judge, AFewTurnsAreEnoughWhereNoCurveDoesWhatTheStemDoes) {
     e.stem_weighed = true;
     e.stem_nats = -5;
     e.ladder.predicted = 1000;
-    e.curved = {true, 11, e.band_over_swing * 0.6, e.band_over_swing * 1.9};
+    e.curved = {true, 11, 0, e.band_over_swing * 0.6, e.band_over_swing * 1.9};
     change(e);
     return judge(e, false);
   };
