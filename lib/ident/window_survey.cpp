@@ -89,6 +89,11 @@ void WindowSurvey<Real>::scale() {
 
 template <class Real>
 void WindowSurvey<Real>::measure(Identification<Real>& result) {
+  if constexpr (kStemSearch) {
+    OscillationReport<Real>& seen = result.oscillation;
+    seen.detected = seen.detected &&
+                    turns_in_cycles<Real>(window_.u, seen, seen.amplitude / of_u_.factor);
+  }
   movement_ = measure_movement<Real>(window_.u, result.oscillation, of_u_.factor,
                                      window_.ascending);
   result.evidence.reversals = movement_.reversals;

@@ -91,7 +91,10 @@ std::string windows_table(const Analysis& analysis) {
 std::string oscillation_text(const Identification& r, double period_s) {
   if (r.reason == ident::Reason::kOneStroke) return "u turns back too little to tell";
   if (!r.oscillation.detected) {
-    return "none seen in u (regularity " + fixed(r.oscillation.regularity, 1) + ")";
+    const double regularity = r.oscillation.regularity;
+    return regularity > 1    ? "none: u repeats itself, but hardly turns back"
+           : regularity == 0 ? "none seen in u, no two cycles to compare"
+                             : "none seen in u (regularity " + fixed(regularity, 1) + ")";
   }
   return "of u, period " + duration(r.oscillation.period_samples * period_s) + ", " +
          fixed(r.cycles, 0) + " cycles, regularity " +

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "ident/signal/movement.hpp"
 #include "ident/signal/oscillation_detector.hpp"
 #include "workbench/analysis/identification_json.hpp"
 #include "workbench/analysis/oscillation_json.hpp"
@@ -43,6 +44,10 @@ std::string human_text(const Report& report, const Recording& recording,
   std::string text = recording.name + ": " + column + ", " +
                      std::to_string(recording.size()) + " samples, one every " +
                      number(recording.period_s) + " s\n\n";
+  if (!report.detected && report.regularity > 1) {
+    return text + "No oscillation: it repeats itself (regularity " +
+           fixed(report.regularity, 1) + "), but hardly turns back, as a staircase.\n";
+  }
   if (!report.detected) {
     return text + "No oscillation. Regularity " + fixed(report.regularity, 2) +
            "; above 1 it would be one.\n";
@@ -116,7 +121,10 @@ int detect(const Options& options) {
   const Recording recording = read_signal(options.source, column, options.column_given);
   ident::OscillationDetector<double> detector;
   for (const double value : recording.values(column)) detector.push(value);
-  const Report report = detector.report();
+  Report report = detector.report();
+  report.detected =
+      report.detected &&
+      ident::turns_in_cycles<double>(recording.values(column), report, report.amplitude);
   for (const std::string& note : recording.resampling.notes) complain(note);
   print(options.json ? json_line(oscillation_json(report, recording.period_s))
                      : human_text(report, recording, options.column));

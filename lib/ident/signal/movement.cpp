@@ -115,6 +115,18 @@ Movement<Real> measure_movement(std::span<const Real> u,
 }
 
 template <class Real>
+bool turns_in_cycles(std::span<const Real> signal,
+                     const OscillationReport<Real>& oscillation, Real amplitude) {
+  ReversalTracker<Real> tracker(Real(kReversalShare) * Real(2) * amplitude);
+  int turns = 0;
+  for (const Real value : signal) {
+    turns += tracker.push(value).has_value() ? 1 : 0;
+  }
+  // Two a cycle, but for some that are lost on a drift.
+  return turns >= oscillation.cycles;
+}
+
+template <class Real>
 std::size_t first_return(std::span<const Real> u,
                          std::span<const unsigned char> ascending, Real period) {
   constexpr Real kOffPeriod = Real(0.02);  // weight of coming back early or late
@@ -143,6 +155,8 @@ std::size_t first_return(std::span<const Real> u,
   template Movement<Real> measure_movement<Real>(std::span<const Real>,                \
                                                  const OscillationReport<Real>&, Real, \
                                                  std::span<unsigned char>);            \
+  template bool turns_in_cycles<Real>(std::span<const Real>,                           \
+                                      const OscillationReport<Real>&, Real);           \
   template std::size_t first_return<Real>(std::span<const Real>,                       \
                                           std::span<const unsigned char>, Real);
 STICKBAND_INSTANTIATE(float)

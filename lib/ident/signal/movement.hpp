@@ -40,6 +40,14 @@ template <class Real>
                                               Real u_range,
                                               std::span<unsigned char> ascending);
 
+/// Whether `signal` turns back as often as `oscillation`, detected in it, says that it
+/// cycles. The steps of a staircase repeat as cycles do, and do not turn back.
+/// `amplitude`: of the oscillation, in the unit of the signal. One pass.
+template <class Real>
+[[nodiscard]] bool turns_in_cycles(std::span<const Real> signal,
+                                   const OscillationReport<Real>& oscillation,
+                                   Real amplitude);
+
 /// The sample, about one period after the first, at which u is next where it was at the
 /// first and moves the same way; 0 if the window is shorter than three periods.
 template <class Real>

@@ -53,6 +53,23 @@ TEST(Movement, MeasuresATriangle) {
   }
 }
 
+TEST(Movement, KnowsAStaircaseFromCycles) {
+  OscillationReport<double> nine;
+  nine.cycles = 9;
+  EXPECT_TRUE(turns_in_cycles<double>(triangle(200, 20), nine, 0.4));
+  std::vector<double> stairs(200);
+  for (std::size_t t = 0; t < stairs.size(); ++t) {
+    stairs[t] = static_cast<double>(t / 20);
+  }
+  EXPECT_FALSE(turns_in_cycles<double>(stairs, nine, 0.4));
+  // Small cycles on a drift turn back by their own size.
+  std::vector<double> drifting = triangle(200, 20);
+  for (std::size_t t = 0; t < drifting.size(); ++t) {
+    drifting[t] += 0.04 * static_cast<double>(t);
+  }
+  EXPECT_TRUE(turns_in_cycles<double>(drifting, nine, 0.4));
+}
+
 TEST(Movement, TakesTheDetectedPeriod) {
   const auto movement = measured(triangle(200, 20), oscillating(25, 0.4));
   EXPECT_DOUBLE_EQ(movement.period, 25);
