@@ -20,6 +20,9 @@ std::string_view headline(ident::Verdict verdict, ident::Reason reason,
       if (reason == ident::Reason::kNotTheValve) {
         return "Nothing says that the valve causes what is seen.";
       }
+      if (reason == ident::Reason::kBandDoesNotMatter) {
+        return "If the valve sticks, then by too little to matter.";
+      }
       return detectable_band > 0 ? "The valve does not stick."
                                  : "Nothing speaks for a sticking valve.";
     case ident::Verdict::kUndecided:

@@ -30,6 +30,8 @@ TEST(Wording, SaysNoMoreOfAFineValveThanWasSeen) {
   };
   EXPECT_EQ(said(Reason::kLinearExplains, 1), "The valve does not stick.");
   EXPECT_EQ(said(Reason::kLinearExplains, 0), "Nothing speaks for a sticking valve.");
+  EXPECT_EQ(said(Reason::kBandDoesNotMatter, 1),
+            "If the valve sticks, then by too little to matter.");
   EXPECT_EQ(said(Reason::kNotTheValve, 1),
             "Nothing says that the valve causes what is seen.");
   EXPECT_EQ(advice(Reason::kLinearExplains, Cause::kUnknown, 0, false).find("Leave"),

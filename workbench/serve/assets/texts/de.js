@@ -298,6 +298,7 @@ export default {
   'The valve sticks.': 'Das Ventil klemmt.',
   'The valve has play (backlash).': 'Das Ventil hat Spiel (Lose).',
   'The valve does not stick.': 'Das Ventil klemmt nicht.',
+  'If the valve sticks, then by too little to matter.': 'Wenn das Ventil klemmt, dann um zu wenig, als dass es eine Rolle spielt.',
   'Nothing speaks for a sticking valve.': 'Nichts spricht für ein klemmendes Ventil.',
   'Nothing says that the valve causes what is seen.': 'Nichts spricht dafür, dass das Ventil verursacht, was zu sehen ist.',
   'Look at the tuning and at disturbances from other loops first. The valve may still stick: step the controller output in manual, by as little as matters, and see whether the process answers.': 'Sehen Sie zuerst nach der Reglereinstellung und nach Störungen aus anderen Kreisen. Das Ventil kann trotzdem klemmen: Verstellen Sie den Stellwert in Hand um so wenig, wie von Belang ist, und sehen Sie, ob der Prozess antwortet.',
