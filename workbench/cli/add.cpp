@@ -7,6 +7,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/parameter_table.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/search/ladder.hpp"
@@ -63,7 +64,7 @@ int tell(const Options& options, const Recording& recording, const FittedModel& 
   json["recordings"] = recordings_json(next.quality.recordings);
   print(options.json ? json_line(json)
                      : text +
-                           caution_text(next.model, recording, next.quality.fit_percent,
+                           caution_text(next.model, recording, next.quality,
                                         is_left_to_controller(next.model, recording)) +
                            recordings_table(next.quality.recordings) + kept);
   return kDone;

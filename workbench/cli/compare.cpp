@@ -77,7 +77,7 @@ int compare_with(const ModelOptions& options) {
   complain_about_unused(read, model);
   const std::string mind =
       is_left_to_controller(model, read.joined)
-          ? '\n' + caution_text(model, read.joined, comparison.quality.fit_percent, true)
+          ? '\n' + caution_text(model, read.joined, comparison.quality, true)
           : std::string();
   print(options.json ? json_line(comparison_json(comparison))
                      : comparison_text(comparison, read.joined) + mind);

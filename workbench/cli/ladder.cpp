@@ -16,6 +16,7 @@
 #include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
 #include "workbench/cli/next_file.hpp"
+#include "workbench/cli/parameter_table.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
 #include "workbench/model/tell/cautions.hpp"
@@ -89,9 +90,8 @@ std::string samples_text(const Recording& recording) {
 std::string ladder_text(const LadderResult& result, const Recording& recording,
                         const std::optional<ValveVerdict>& verdict, bool time_was_up,
                         const SearchSoFar& so_far, const std::string& kept) {
-  const std::string mind =
-      caution_text(result.model, recording, result.quality.fit_percent,
-                   result.last.left_to_controller);
+  const std::string mind = caution_text(result.model, recording, result.quality,
+                                        result.last.left_to_controller);
   std::string text = recording.name + ": " + samples_text(recording) + "\n\n";
   // Whose model this is, is to be known before its steps are read.
   if (result.last.left_to_controller) text += mind + '\n';
@@ -106,7 +106,7 @@ std::string ladder_text(const LadderResult& result, const Recording& recording,
           number(result.last.noise_rmse, 4) + "\n" +
           recordings_table(result.quality.recordings) +
           (!result.complete ? why_it_ended(result, time_was_up, so_far) + '\n'
-           : tells_nothing(result.model, result.quality.fit_percent)
+           : tells_nothing(result.model, result.quality)
                ? ""
                : what_is_left(result, verdict, so_far) + '\n');
   const std::string said = verdict_text(verdict);

@@ -8,6 +8,7 @@
 #include "workbench/cli/exit_code.hpp"
 #include "workbench/cli/left_behind.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/parameter_table.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/search/ladder.hpp"
@@ -45,7 +46,7 @@ std::string model_text(const FittedModel& fitted, const Recording& recording,
   return text + "\nFit " + fixed(fitted.quality.fit_percent, 1) + " %, error " +
          number(fitted.quality.rmse, 4) + " (validation " +
          number(fitted.quality.rmse_validation, 4) + ")\n" +
-         caution_text(fitted.model, recording, fitted.quality.fit_percent,
+         caution_text(fitted.model, recording, fitted.quality,
                       is_left_to_controller(fitted.model, recording)) +
          recordings_table(fitted.quality.recordings) + kept;
 }

@@ -19,9 +19,7 @@
 #include "workbench/model/judge/unlike.hpp"
 #include "workbench/model/search/ladder.hpp"
 #include "workbench/model/tell/cautions.hpp"
-#include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/model_json.hpp"
-#include "workbench/model/tell/parameter_words.hpp"
 #include "workbench/recording/option_words.hpp"
 #include "workbench/recording/own_readings.hpp"
 #include "workbench/recording/resample.hpp"
@@ -276,60 +274,6 @@ std::string saved(const Model& model, const std::string& path) {
   return "Written to " + path + '\n';
 }
 
-// A limit that the recording never came to lies beyond all of it.
-bool is_not_reached(const Parameter& p) {
-  return (p.name == "lower_limit" && p.value <= p.bound_low) ||
-         (p.name == "upper_limit" && p.value >= p.bound_high);
-}
-
-std::string line_of_unreached(const Parameter& p) {
-  const bool lower = p.name == "lower_limit";
-  const double end = lower ? p.high : p.low;
-  return padded(p.name, 24) + padded("not reached", 12) +
-         padded((lower ? "below " : "above ") + number(end, 4), 26) + p.unit + '\n';
-}
-
-std::string parameter_table(const std::vector<Parameter>& parameters,
-                            std::size_t indent) {
-  std::string text;
-  for (const Parameter& p : parameters) {
-    if (is_not_reached(p)) {
-      text += std::string(indent, ' ') + line_of_unreached(p);
-      continue;
-    }
-    const std::string interval =
-        p.low < p.high ? number(p.low, 4) + " to " + number(p.high, 4) : std::string();
-    const std::string name = std::string(indent, ' ') +
-                             padded(p.name == "time" ? "time_from_start" : p.name, 24);
-    // A choice is a number in files alone.
-    const std::string choice = p.unit == "1" ? choice_in_words(p) : std::string();
-    if (!choice.empty()) {
-      text += name + choice + '\n';
-      continue;
-    }
-    text += without_end_blanks(name + padded(number(p.value, 4), 12) +
-                               padded(interval, 26) + (p.unit == "1" ? "" : p.unit)) +
-            '\n';
-  }
-  return text;
-}
-
-std::string effect_table(const EffectTerm& term, std::size_t indent) {
-  std::string text;
-  const auto say = [&](const std::string& sentence) {
-    text += std::string(indent, ' ') + wrapped(sentence, indent) + '\n';
-  };
-  if (const auto curve = curve_of(term.effect, term.parameters)) say(curve->words);
-  text += parameter_table(told_parameters(term), indent);
-  if (term.phenomenological) {
-    say("At the edge of its physical range: a phenomenological term, not physics.");
-  }
-  if (term.untold) {
-    say("Uncertain: its intervals reach to where it would be absent.");
-  }
-  return text;
-}
-
 std::string ended_early(bool time_was_up, const std::string& what) {
   return std::string("Ended early: ") +
          (time_was_up ? "the time was up" : "the search has a limit of its own") +
@@ -338,10 +282,10 @@ std::string ended_early(bool time_was_up, const std::string& what) {
 }
 
 std::string caution_text(const Model& model, const Recording& recording,
-                         double fit_percent, bool left_to_controller) {
+                         const FitQuality& quality, bool left_to_controller) {
   std::string text;
   for (const std::string& caution :
-       cautions(model, recording, fit_percent, left_to_controller)) {
+       cautions(model, recording, quality, left_to_controller)) {
     text += wrapped(caution, 0) + '\n';
   }
   return text;

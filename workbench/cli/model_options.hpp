@@ -92,17 +92,13 @@ struct Modelled {
 /// Writes a model file in one step; nothing where `path` is empty. Tells which, one line.
 [[nodiscard]] std::string saved(const Model& model, const std::string& path);
 
-/// Parameters as an indented table: name, value, interval, unit.
-[[nodiscard]] std::string parameter_table(const std::vector<Parameter>& parameters,
-                                          std::size_t indent);
-/// The parameters of an effect; of a characteristic its curve in words before them.
-[[nodiscard]] std::string effect_table(const EffectTerm& term, std::size_t indent);
 /// Why a search ended early: the time, or its own limit; what it leaves is the best
 /// `what` so far, "model".
 [[nodiscard]] std::string ended_early(bool time_was_up, const std::string& what);
 /// What to know before its numbers are used (cautions.hpp), each on lines of its own.
 [[nodiscard]] std::string caution_text(const Model& model, const Recording& recording,
-                                       double fit_percent, bool left_to_controller);
+                                       const FitQuality& quality,
+                                       bool left_to_controller);
 /// Where a long recording was searched, and which of the figures told are of that.
 [[nodiscard]] std::string searched_text(const Searched& searched, std::string_view which);
 /// "after a step of 30 %": from one error to another, in percent down.

@@ -13,8 +13,9 @@ constexpr double kVisible = 4;         // z above which u is seen to move the ou
 
 // What is left of the output when u is ignored: of an integrating process less a level of
 // each piece and a trend.
-std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
-  const std::size_t n = fitter.y().size();
+std::vector<double> without_u(const Fitter& fitter, const Fit& fit,
+                              std::span<const double> y) {
+  const std::size_t n = y.size();
   std::vector<std::vector<double>> columns = {std::vector<double>(n, 1.0)};
   std::vector<Block> rows = fitter.blocks().blocks();
   if (fit.integrating) {
@@ -29,8 +30,8 @@ std::vector<double> without_u(const Fitter& fitter, const Fit& fit) {
     }
   }
   const std::vector<std::span<const double>> all(columns.begin(), columns.end());
-  const std::vector<double> c = least_squares(all, fitter.y(), rows);
-  std::vector<double> residual(fitter.y().begin(), fitter.y().end());
+  const std::vector<double> c = least_squares(all, y, rows);
+  std::vector<double> residual(y.begin(), y.end());
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t i = 0; i < columns.size(); ++i) residual[k] -= c[i] * columns[i][k];
   }
@@ -150,13 +151,28 @@ double share_of_u(const Fitter& fitter, const Fit& fit,
 }  // namespace
 
 double share_of_u(const Fitter& fitter, const Fit& fit) {
-  return share_of_u(fitter, fit, without_u(fitter, fit));
+  return share_of_u(fitter, fit, without_u(fitter, fit, fitter.y()));
 }
 
-bool u_is_seen(const Fitter& fitter, const Fit& fit) {
-  const std::vector<double> ignored = without_u(fitter, fit);
+namespace {
+
+bool is_seen(const Fitter& fitter, const Fit& fit, const std::vector<double>& ignored,
+             double share) {
   const DifferenceTest test = test_difference(ignored, fit.residual, fitter.blocks());
-  return test.z > kVisible && share_of_u(fitter, fit, ignored) > kVisibleShare;
+  return test.z > kVisible && share_of_u(fitter, fit, ignored) > share;
+}
+
+}  // namespace
+
+bool u_is_seen(const Fitter& fitter, const Fit& fit) {
+  return is_seen(fitter, fit, without_u(fitter, fit, fitter.y()), kVisibleShare);
+}
+
+bool follows_u(const Fitter& fitter, const Fit& fit) {
+  constexpr double kMost = 0.5;
+  std::vector<double> y(fitter.y().begin(), fitter.y().end());
+  fitter.add_loads(fit, -1, y);
+  return is_seen(fitter, fit, without_u(fitter, fit, y), kMost);
 }
 
 }  // namespace workbench

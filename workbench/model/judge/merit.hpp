@@ -79,4 +79,8 @@ inline constexpr double kBeyondDoubt = 1e-6;
 /// no u at all: effects that act on u can show.
 [[nodiscard]] bool u_is_seen(const Fitter& fitter, const Fit& fit);
 
+/// True where u explains most of what the loads of the fit leave of the output, beyond
+/// doubt.
+[[nodiscard]] bool follows_u(const Fitter& fitter, const Fit& fit);
+
 }  // namespace workbench

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "workbench/model/base/least_squares.hpp"
+#include "workbench/model/judge/merit.hpp"
 
 namespace workbench {
 namespace {
@@ -93,6 +94,7 @@ FitQuality quality(const Fitter& fitter, const Fit& fit) {
       fit_percent(fitter, fit, [](const Piece& piece) { return !piece.judges; });
   out.rmse = fitter.rmse(fit);
   out.rmse_validation = fitter.rmse_on(fit, false);
+  out.output_follows_u = follows_u(fitter, fit);
   const Piece* before = nullptr;
   for (const Piece& piece : fitter.pieces()) {
     if (before == nullptr || piece.recording != before->recording ||

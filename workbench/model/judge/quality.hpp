@@ -22,6 +22,7 @@ struct FitQuality {
   double fit_percent = 0;      ///< contract's fit, all samples, each file about its mean
   double rmse = 0;             ///< all samples
   double rmse_validation = 0;  ///< samples that were not
+  bool output_follows_u = false;  ///< follows_u(), merit.hpp
   std::vector<RecordingFit> recordings{};
 };
 

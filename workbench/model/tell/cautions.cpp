@@ -27,8 +27,9 @@ bool may_lack_gain(const Model& model) {
   return gain != nullptr && gain->low < gain->high && gain->low <= 0 && gain->high >= 0;
 }
 
-bool tells_nothing(const Model& model, double fit_percent) {
-  return says_hardly_anything(fit_percent) || may_lack_gain(model);
+bool tells_nothing(const Model& model, const FitQuality& quality) {
+  return says_hardly_anything(quality.fit_percent) ||
+         (may_lack_gain(model) && !quality.output_follows_u);
 }
 
 bool is_beside_the_point(const Candidate& best) {
@@ -65,7 +66,7 @@ bool would_run_away(const Model& model, const Recording& recording) {
 }
 
 std::vector<std::string> cautions(const Model& model, const Recording& recording,
-                                  double fit_percent, bool left_to_controller) {
+                                  const FitQuality& quality, bool left_to_controller) {
   constexpr double kAtBound = 0.99;
   if (left_to_controller) {
     return {
@@ -74,12 +75,18 @@ std::vector<std::string> cautions(const Model& model, const Recording& recording
         "controller makes of y, and this model may be that of the controller: change the "
         "setpoint a few times, or move u by hand."};
   }
-  if (says_hardly_anything(fit_percent)) {
+  if (says_hardly_anything(quality.fit_percent)) {
     return {
         "From u alone the model says hardly more about the output than a constant would: "
         "it lacks something large, or u is not the column that moves the output."};
   }
   if (may_lack_gain(model)) {
+    if (quality.output_follows_u) {
+      return {
+          "The interval of the gain holds 0 although the output follows u: the gain is "
+          "told only together with the other parameters. Use the model as a whole, not "
+          "that number."};
+    }
     return {
         "The interval of the gain holds 0: how far the output follows u, if at all, is "
         "not told. Move u further, or give the column that moves the output."};

@@ -13,11 +13,14 @@ namespace workbench {
 /// model on the recording, contract's fit.
 [[nodiscard]] bool says_hardly_anything(double fit_percent);
 
-/// True where the interval of the process gain holds 0: u may not move the output at all.
+/// True where the interval of the process gain holds 0: of the gain by itself the
+/// recording tells nothing.
 [[nodiscard]] bool may_lack_gain(const Model& model);
 
-/// True where either of the two holds: nothing that is left over is worth a word.
-[[nodiscard]] bool tells_nothing(const Model& model, double fit_percent);
+/// True where u may not move the output at all: the model is hardly better than a
+/// constant, or may lack its gain and the output does not follow u. Nothing that is left
+/// over is worth a word then.
+[[nodiscard]] bool tells_nothing(const Model& model, const FitQuality& quality);
 
 /// True of what the readings show whatever the model, a coarse resolution, where next to
 /// none of the error is its doing. `best`: an accepted candidate.
@@ -33,11 +36,11 @@ namespace workbench {
 
 /// Whole sentences in plain text, empty where there is nothing to say: u that only the
 /// controller moves, a fit that a constant would reach, too, a gain that may be none or
-/// has the wrong sign, a first lag that only the length of the recording bounds.
-/// `recording`: the one that the model is of.
+/// is told only together with other parameters or has the wrong sign, a first lag that
+/// only the length of the recording bounds. `quality`: of the model on `recording`.
 [[nodiscard]] std::vector<std::string> cautions(const Model& model,
                                                 const Recording& recording,
-                                                double fit_percent,
+                                                const FitQuality& quality,
                                                 bool left_to_controller);
 
 }  // namespace workbench

@@ -27,6 +27,20 @@ TEST_F(Merit, TheRightEffectLowersTheError) {
   EXPECT_LT(score_of(right_, {}), score_of(plain_, {}));
 }
 
+TEST_F(Merit, AnOutputFollowsUByWhatItsLoadsLeave) {
+  EXPECT_TRUE(follows_u(fitter_, right_));
+  test::SetpointLoop loop;
+  loop.setpoint_moves = false;
+  loop.load = [](std::size_t k) { return k < 600 ? 0.0 : 30.0; };
+  Recording still = test::simulated(loop);
+  for (std::size_t k = 0; k < still.size(); ++k) {
+    still.u[k] = 50 + 0.01 * static_cast<double>(k % 7);
+    still.y[k] = 50 + loop.load(k) + 0.1 * static_cast<double>(k % 5);
+  }
+  const Fitter fitter(still, Column::y);
+  EXPECT_FALSE(follows_u(fitter, fitter.start({&effects::disturbance_step()})));
+}
+
 TEST_F(Merit, WhatHelpsOnlyWhereNothingWasFittedDoesNotEarnItsParameters) {
   EXPECT_TRUE(earns_parameters(fitter_, plain_, right_));
   Fit lucky = right_;

@@ -16,6 +16,13 @@ bool caution_says(const std::vector<std::string>& cautions, std::string_view wha
   return cautions.size() == 1 && cautions[0].find(what) != std::string::npos;
 }
 
+FitQuality fit_of(double percent, bool follows_u = false) {
+  FitQuality out;
+  out.fit_percent = percent;
+  out.output_follows_u = follows_u;
+  return out;
+}
+
 Model with_lag(double lag_s) {
   Parameter lag{.name = "first_lag", .unit = "s", .value = lag_s};
   lag.bound_low = 0.1;
@@ -26,11 +33,11 @@ Model with_lag(double lag_s) {
 }
 
 TEST(Cautions, SaysNothingOfAFitInsideItsBounds) {
-  EXPECT_TRUE(cautions(with_lag(120), {}, 80, false).empty());
+  EXPECT_TRUE(cautions(with_lag(120), {}, fit_of(80), false).empty());
 }
 
 TEST(Cautions, ALagAsLongAsTheRecordingMayBeAnIntegrator) {
-  EXPECT_TRUE(caution_says(cautions(with_lag(500), {}, 80, false),
+  EXPECT_TRUE(caution_says(cautions(with_lag(500), {}, fit_of(80), false),
                            "never settle (process.integrating)"));
 }
 
@@ -46,19 +53,32 @@ TEST(Cautions, AFactOfTheRecordMayBeBesideThePoint) {
 }
 
 TEST(Cautions, AFitThatAConstantReachesIsSaid) {
-  EXPECT_TRUE(caution_says(cautions(with_lag(120), {}, -2.4, false), "a constant"));
-  EXPECT_TRUE(caution_says(cautions(Model{}, {}, 4.9, false), "a constant"));
-  EXPECT_TRUE(cautions(Model{}, {}, 5.1, false).empty());
+  EXPECT_TRUE(
+      caution_says(cautions(with_lag(120), {}, fit_of(-2.4), false), "a constant"));
+  EXPECT_TRUE(caution_says(cautions(Model{}, {}, fit_of(4.9), false), "a constant"));
+  EXPECT_TRUE(cautions(Model{}, {}, fit_of(5.1), false).empty());
 }
 
 TEST(Cautions, AGainThatMayBeNoneIsSaid) {
   Model model = with_lag(120);
   model.process.push_back({.name = "gain", .value = 0.1, .low = -0.1, .high = 0.3});
   EXPECT_TRUE(may_lack_gain(model));
-  EXPECT_TRUE(caution_says(cautions(model, {}, 80, false), "holds 0"));
+  EXPECT_TRUE(caution_says(cautions(model, {}, fit_of(80), false), "holds 0"));
+  EXPECT_TRUE(tells_nothing(model, fit_of(80)));
   model.process.back().low = 0.05;
   EXPECT_FALSE(may_lack_gain(model));
-  EXPECT_TRUE(cautions(model, {}, 80, false).empty());
+  EXPECT_TRUE(cautions(model, {}, fit_of(80), false).empty());
+}
+
+// A lag that is longer than the recording may be told only together with its gain.
+TEST(Cautions, AnOutputThatFollowsUIsNotSaidToFollowNothing) {
+  Model model = with_lag(120);
+  model.process.push_back({.name = "gain", .value = 0.1, .low = -0.1, .high = 0.3});
+  EXPECT_FALSE(tells_nothing(model, fit_of(80, true)));
+  const std::vector<std::string> said = cautions(model, {}, fit_of(80, true), false);
+  EXPECT_TRUE(caution_says(said, "although the output follows u"));
+  EXPECT_FALSE(caution_says(said, "if at all"));
+  EXPECT_TRUE(tells_nothing(model, fit_of(2, true)));
 }
 
 TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) {
@@ -77,7 +97,8 @@ TEST(Cautions, AModelOfALoopThatOnlyItsControllerMovesMayBeThatOfTheController) 
   EXPECT_FALSE(is_left_to_controller(with_stem, recording));
   for (std::size_t k = 200; k < 400; ++k) recording.u[k] += 5;
   EXPECT_FALSE(is_left_to_controller(Model{}, recording)) << "something else moves u";
-  EXPECT_TRUE(caution_says(cautions(Model{}, {}, 97, true), "change the setpoint"));
+  EXPECT_TRUE(
+      caution_says(cautions(Model{}, {}, fit_of(97), true), "change the setpoint"));
 }
 
 TEST(Cautions, AGainWithWhichTheLoopWouldRunAwayIsSaid) {
@@ -96,7 +117,8 @@ TEST(Cautions, AGainWithWhichTheLoopWouldRunAwayIsSaid) {
   EXPECT_FALSE(would_run_away(turned, recording)) << "no setpoint is known";
   recording.sp.assign(400, 50);
   EXPECT_TRUE(would_run_away(turned, recording));
-  EXPECT_TRUE(caution_says(cautions(turned, recording, 60, false), "gain of this sign"));
+  EXPECT_TRUE(
+      caution_says(cautions(turned, recording, fit_of(60), false), "gain of this sign"));
   turned.process = {{.name = "gain", .value = 2, .low = 1.8, .high = 2.2}};
   EXPECT_FALSE(would_run_away(turned, recording));
   recording.sp.back() = 51;
