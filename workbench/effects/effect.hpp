@@ -142,6 +142,7 @@ struct Description {
   View view;                   ///< where its signature shows
   std::string_view signature;  ///< what is seen there, after "the residual "
   std::string_view cure;       ///< what a technician does about it
+  bool harmless = false;       ///< of a sound plant: nothing is broken
   std::string_view split;      ///< the measurement that tells it from look-alikes
   bool needs_u = true;         ///< invisible where u does not move y
   /// Of the squared error, to be taken away where the effect's own test speaks for it.
@@ -208,6 +209,11 @@ class Effect {
   /// One sentence: what in the data speaks for it. `p` searched, `c` solved.
   [[nodiscard]] virtual std::string evidence(const Situation& situation, Reals p,
                                              Reals c) const = 0;
+  /// What to do about it with these values: another cure where that of the description
+  /// does not fit them or the length of the recording.
+  [[nodiscard]] virtual std::string cure(const Situation&, Reals /*p*/) const {
+    return std::string(description().cure);
+  }
   /// Why these values cannot be this effect although they are within their bounds, as the
   /// end of a sentence that begins "but "; empty where nothing speaks against them.
   [[nodiscard]] virtual std::string objection(const Situation&, Reals /*p*/,

@@ -1,6 +1,7 @@
 #include "workbench/model/judge/fitted_model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "workbench/model/judge/off_profile.hpp"
 
@@ -20,6 +21,28 @@ bool may_be_absent(const FreeRun::Slot& slot, const Interval& interval) {
   const double margin = 1e-3 * (parameter.high - parameter.low);
   return interval.low - margin <= *parameter.off &&
          *parameter.off <= interval.high + margin;
+}
+
+// Two limits of one effect do not cross: each may lie at most where the other is told,
+// and where both would still meet, halfway.
+void part_limits(const Fit& fit, FitIntervals& intervals) {
+  for (std::size_t i = 0; i + 1 < fit.p.size(); ++i) {
+    const FreeRun::Slot& lower = fit.slots[i];
+    const FreeRun::Slot& upper = fit.slots[i + 1];
+    if (lower.effect == nullptr || lower.effect != upper.effect ||
+        lower.parameter.name != "lower_limit" || upper.parameter.name != "upper_limit" ||
+        fit.p[i] > fit.p[i + 1]) {
+      continue;
+    }
+    Interval& below = intervals.searched[i];
+    Interval& above = intervals.searched[i + 1];
+    below.high = std::min(below.high, fit.p[i + 1]);
+    above.low = std::max(above.low, fit.p[i]);
+    if (below.high <= above.low) continue;
+    const double middle =
+        std::clamp((below.high + above.low) / 2, fit.p[i], fit.p[i + 1]);
+    below.high = above.low = middle;
+  }
 }
 
 }  // namespace
@@ -74,9 +97,20 @@ FitIntervals told_intervals_of(const Fitter& fitter, const Fit& fit) {
   return intervals;
 }
 
+ToldFit told_of(const Fitter& fitter, const Fit& found) {
+  FitIntervals intervals = told_intervals_of(fitter, found);
+  Fit fit = with_absent_limits(fitter, found, intervals);
+  if (fit.p != found.p) intervals = told_intervals_of(fitter, fit);
+  part_limits(fit, intervals);
+  return {std::move(fit), std::move(intervals)};
+}
+
 Model model_of(const Fitter& fitter, const Fit& found) {
-  const FitIntervals intervals = told_intervals_of(fitter, found);
-  const Fit fit = with_absent_limits(fitter, found, intervals);
+  return model_of(fitter, told_of(fitter, found));
+}
+
+Model model_of(const Fitter& fitter, const ToldFit& told) {
+  const auto& [fit, intervals] = told;
   Model model;
   model.output = fitter.output();
   model.process = parameters_of(fit, intervals, nullptr);

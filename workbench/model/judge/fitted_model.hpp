@@ -8,11 +8,19 @@
 
 namespace workbench {
 
+/// What is told of a fit.
+struct ToldFit {
+  Fit fit;  ///< with_absent_limits()
+  FitIntervals intervals;
+};
+[[nodiscard]] ToldFit told_of(const Fitter& fitter, const Fit& found);
+
 /// The fit as data, with its intervals; history is left to the caller.
 [[nodiscard]] Model model_of(const Fitter& fitter, const Fit& fit);
+[[nodiscard]] Model model_of(const Fitter& fitter, const ToldFit& told);
 
-/// The intervals that are told of a fit: thorough ones, which end where an effect would be
-/// absent and the error says that it is not.
+/// The intervals that are told of a fit: thorough ones, which end where an effect would
+/// be absent and the error says that it is not.
 [[nodiscard]] FitIntervals told_intervals_of(const Fitter& fitter, const Fit& fit);
 
 /// The fit with each limit that may as well lie where it would be absent (W22) laid

@@ -274,7 +274,7 @@ void report(const Fitter& fitter, std::vector<Trial>& trials, const Trial* best,
   }
   out.result.rmse = fitter.rmse(out.base);
   out.result.rmse_validation = fitter.rmse_on(out.base, false);
-  out.result.recordings = quality(fitter, out.base).recordings;
+  out.result.quality = quality(fitter, out.base);
   const double following =
       seen ? share_following_u(out.base.residual, fitter.recording().u) : 0;
   out.result.noise_rmse = std::sqrt(

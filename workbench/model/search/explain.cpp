@@ -4,11 +4,11 @@
 
 #include "workbench/analysis/uncut_parts.hpp"
 #include "workbench/model/judge/fitted_model.hpp"
-#include "workbench/model/judge/intervals.hpp"
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
 #include "workbench/model/search/choice.hpp"
 #include "workbench/model/search/identified.hpp"
+#include "workbench/model/search/unsupported.hpp"
 
 namespace workbench {
 
@@ -92,6 +92,36 @@ void name_rivals_of_members(const Fitter& fitter, const Fit& fit,
   }
 }
 
+// What is named gets the intervals that it will have in a model, and its sentence the
+// values that are told beside it.
+void tell_best(const Fitter& fitter, const Fit& found, const Catalogue& catalogue,
+               ExplainResult& result) {
+  Candidate& best = result.candidates.front();
+  const ToldFit told = told_of(fitter, found);
+  Model model = model_of(fitter, told);
+  std::vector<const Effect*> members;
+  for (const std::string& code : members_of(best)) {
+    members.push_back(catalogue.find(code));
+    EffectTerm term = *std::ranges::find(model.effects, code, &EffectTerm::effect);
+    if (code != best.effect) {
+      best.partners.push_back(std::move(term));
+    } else {
+      best.parameters = std::move(term.parameters);
+      best.untold = term.untold;
+    }
+  }
+  if (told.fit.p != found.p) best.evidence = evidence_of(fitter, told.fit, members);
+  const Situation here = fitter.situation(told.fit);
+  best.harmless = true;
+  for (const Effect* member : members) {
+    best.cures.push_back(member->cure(here, told.fit.searched_of(*member)));
+    best.harmless = best.harmless && member->description().harmless &&
+                    best.cures.back() == member->description().cure;
+  }
+  result.with_best_quality = quality(fitter, told.fit);
+  result.with_best = std::move(model);
+}
+
 // There is no answer without the model itself, however short the time.
 template <class Make>
 Fit whatever_it_takes(const Work& work, Make make) {
@@ -111,7 +141,6 @@ ExplainResult explain(const Recording& recording, const Model& model,
   if (identified == nullptr) identified = &own.emplace(uncut_parts(recording));
   const auto concluded = [&](const Fitter& by, const Fit& base) {
     Exploration found = explore(by, base, catalogue, *identified, progress);
-    // What is named gets the intervals that it will have in a model.
     if (found.best) {
       Candidate& best = found.result.candidates.front();
       if (!best.with.empty() && !work.out_of_time()) {
@@ -121,13 +150,7 @@ ExplainResult explain(const Recording& recording, const Model& model,
         }
       }
       const Work::WritingDown writing(work);
-      const FitIntervals intervals = told_intervals_of(by, *found.best);
-      const Fit fit = with_absent_limits(by, *found.best, intervals);
-      best.parameters = parameters_of(fit, intervals, catalogue.find(best.effect));
-      for (const std::string& code : best.with) {
-        best.partners.push_back(
-            {code, parameters_of(fit, intervals, catalogue.find(code)), false});
-      }
+      tell_best(by, *found.best, catalogue, found.result);
     }
     leave_open(recording, all, catalogue, model.effect_codes(), found.result);
     return std::move(found.result);

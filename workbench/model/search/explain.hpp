@@ -64,6 +64,10 @@ struct Candidate {
   std::vector<Parameter> parameters{};  ///< empty where nothing was fitted
   std::vector<EffectTerm> partners{};   ///< those of `with`, of the one named
   bool phenomenological = false;
+  bool untold = false;  ///< of the one named, as in EffectTerm
+  /// What to do, of the one named: a sentence or more for each of members_of().
+  std::vector<std::string> cures{};
+  bool harmless = false;  ///< of the one named: nothing is broken where it is this
   /// By its own values, or by the verdict on the valve: undecided for that reason.
   bool spoken_against = false;
 };
@@ -87,8 +91,11 @@ struct ExplainResult {
   double rmse = 0;                    ///< of the model as it is, all samples
   double rmse_validation = 0;
   double noise_rmse = 0;  ///< of the part of the residual that no model could explain
-  std::vector<RecordingFit> recordings;             ///< of the model as it is
+  FitQuality quality{};   ///< of the model as it is
   std::optional<Searched> searched = std::nullopt;  ///< none: in all samples
+  /// The model with best(), where there is one, and how it stands.
+  std::optional<Model> with_best = std::nullopt;
+  FitQuality with_best_quality{};
 
   /// The accepted candidate that explains most; null when there is none.
   [[nodiscard]] const Candidate* best() const;

@@ -34,7 +34,9 @@ std::string objection_to(const Trial& trial, const Situation& here) {
 }  // namespace
 
 std::string percent(double share) {
-  return number(100 * share, 3) + " %";
+  constexpr double kHardlyAny = 0.001;
+  return share > 0 && share < kHardlyAny ? "less than 0.1 %"
+                                         : number(100 * share, 3) + " %";
 }
 
 std::vector<const Effect*> members_of(const Trial& trial) {
@@ -231,7 +233,7 @@ void conclude_significant(const Fitter& fitter, double share, Trial& trial) {
         {percent(share)});
   } else if (trial.on && !c.phenomenological && trial.objection.empty()) {
     c.status = CandidateStatus::kAccepted;
-    c.evidence = evidence_of(fitter, trial);
+    c.evidence = evidence_of(fitter, *trial.fit, members_of(trial));
   } else {
     leave_in_doubt(trial,
                    !trial.objection.empty() ? trial.objection

@@ -1,5 +1,8 @@
 #include "workbench/model/search/unsupported.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "workbench/model/judge/merit.hpp"
@@ -13,22 +16,68 @@ constexpr double kDoubt = 0.05;     // above it a candidate is rejected
 constexpr double kMuch = 0.1;       // of the squared validation error …
 constexpr double kMuchDoubt = 0.3;  // … which is no chance below this
 
-// Why a gain that is hardly chance by its p-value is not enough.
-const char* doubt_in_gain(const Trial& trial) {
-  if (trial.p_family > kDoubt) {
-    return "It takes away {0} of the squared error on samples that were not fitted, but "
-           "this recording is too short to tell that from chance.";
+// Normal deviate that is exceeded with probability `p`; 0 from one half on.
+double score_beyond(double p) {
+  constexpr int kHalvings = 40;
+  double low = 0;
+  double high = 40;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = (low + high) / 2;
+    (normal_tail(middle) > p ? low : high) = middle;
   }
+  return low;
+}
+
+// How many times as much of the same a recording takes to be significant: a score grows
+// with the root of its length. Nothing where no length would do.
+std::optional<double> times_as_long(const Trial& trial) {
+  constexpr double kMost = 10;
+  if (!(trial.test.p_value > 0) || !(trial.p_family > 0)) return std::nullopt;
+  const double asked = trial.test.p_value * kSignificance / trial.p_family;
+  const double score = score_beyond(trial.test.p_value);
+  const double times = score > 0 ? std::pow(score_beyond(asked) / score, 2) : kMost + 1;
+  if (times > kMost) return std::nullopt;
+  return std::max(std::ceil(2 * times) / 2, 1.5);
+}
+
+// Why a gain that is hardly chance by its p-value is not enough, and what would be.
+std::string doubt_in_gain(const Trial& trial, double share) {
+  const std::string away = percent(share);
   if (!is_significant(trial)) {
-    return "It takes away {0} of the squared error on samples that were not fitted, "
-           "which chance among so many candidates could do, too.";
+    const std::optional<double> times = times_as_long(trial);
+    if (times) {
+      return filled(
+          trial.p_family > kDoubt
+              ? "It takes away {0} of the squared error on samples that were not fitted, "
+                "which may be chance; {1} times as long a recording of such moves would "
+                "tell."
+              : "It takes away {0} of the squared error on samples that were not fitted, "
+                "which chance among so many candidates could do, too; {1} times as long "
+                "a recording of such moves would tell.",
+          {away, number(*times, 2)});
+    }
+    const std::string split(trial.effect->description().split);
+    return filled(
+        split.ends_with('?')
+            ? "It takes away {0} of the squared error on samples that were not fitted, "
+              "which may be chance, and more of the same would hardly tell. What would: "
+              "{1}"
+            : "It takes away {0} of the squared error on samples that were not fitted, "
+              "which may be chance, and more of the same would hardly tell. What would: "
+              "{1}.",
+        {away, split});
   }
   if (!trial.own && !beyond_doubt(trial) && !(trial.ratio.high < 1)) {
-    return "It takes away {0} of the squared error on samples that were not fitted, but "
-           "owes that to a few stretches of the recording: without them it may be none.";
+    return filled(
+        "It takes away {0} of the squared error on samples that were not fitted, but "
+        "owes that to a few stretches of the recording: without them it may be none. "
+        "Record until the same happens again.",
+        {away});
   }
-  return "It takes away {0} of the squared error on samples that were not fitted, too "
-         "little for the parameters that it brings.";
+  return filled(
+      "It takes away {0} of the squared error on samples that were not fitted, too "
+      "little for the parameters that it brings.",
+      {away});
 }
 
 // Of a gain that weighs nothing: slow errors of the free run weigh little from one sample
@@ -62,13 +111,13 @@ bool is_excited(const Trial& trial) {
                     has_load(members_of(trial)) ? 1 : trial.p_family);
 }
 
-std::string evidence_of(const Fitter& fitter, const Trial& trial) {
-  const Situation here = fitter.situation(*trial.fit);
+std::string evidence_of(const Fitter& fitter, const Fit& fit,
+                        const std::vector<const Effect*>& members) {
+  const Situation here = fitter.situation(fit);
   std::string out;
-  for (const Effect* member : members_of(trial)) {
-    out +=
-        (out.empty() ? "" : " ") + member->evidence(here, trial.fit->searched_of(*member),
-                                                    trial.fit->solved_of(*member));
+  for (const Effect* member : members) {
+    out += (out.empty() ? "" : " ") +
+           member->evidence(here, fit.searched_of(*member), fit.solved_of(*member));
   }
   return out;
 }
@@ -105,10 +154,10 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial) {
   } else if (trial.own && is_significant(trial)) {
     c.status = CandidateStatus::kRejected;
     c.evidence = filled("{0} But hardly any of the error is its doing.",
-                        {evidence_of(fitter, trial)});
+                        {evidence_of(fitter, *trial.fit, members_of(trial))});
   } else if (share > 0 && trial.p_family <= most_doubt(trial, share)) {
     c.status = CandidateStatus::kUndecided;
-    c.evidence = filled(doubt_in_gain(trial), {percent(share)});
+    c.evidence = doubt_in_gain(trial, share);
   } else if (trial.effect->description().limits) {
     c.status = CandidateStatus::kNotExcited;
     c.evidence = trial.effect->out_of_reach(fitter.situation(*trial.fit));

@@ -17,7 +17,8 @@ void conclude_unsupported(const Fitter& fitter, double share, Trial& trial);
 /// True where the recording could show it; beside a load its events count, too.
 [[nodiscard]] bool is_excited(const Trial& trial);
 
-/// A sentence of each member that says what it does.
-[[nodiscard]] std::string evidence_of(const Fitter& fitter, const Trial& trial);
+/// A sentence of each of `members` that says what it does in `fit`.
+[[nodiscard]] std::string evidence_of(const Fitter& fitter, const Fit& fit,
+                                      const std::vector<const Effect*>& members);
 
 }  // namespace workbench

@@ -90,7 +90,7 @@ Json explanation_json(const ExplainResult& result) {
           {"rmse_validation", result.rmse_validation},
           {"noise_rmse", result.noise_rmse},
           {"candidates", candidates},
-          {"recordings", recordings_json(result.recordings)},
+          {"recordings", recordings_json(result.quality.recordings)},
           {"searched", searched_json(result.searched)}};
 }
 
