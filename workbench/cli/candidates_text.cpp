@@ -1,10 +1,12 @@
 #include "workbench/cli/candidates_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "workbench/cli/console.hpp"
 #include "workbench/cli/model_options.hpp"
+#include "workbench/cli/parameter_table.hpp"
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/recording/listed.hpp"
@@ -16,6 +18,7 @@ namespace workbench::cli {
 namespace {
 
 constexpr std::size_t kIndent = 13;
+constexpr double kHardlyAnyPercent = 0.1;  // of the squared error
 
 std::string name_of_set(const Candidate& c) {
   std::string name = c.effect;
@@ -28,7 +31,7 @@ std::string told_of(const Candidate& c) {
   if (c.status == CandidateStatus::kAccepted) {
     told += " Validation error " + number(c.rmse_validation_before, 4) + " to " +
             number(c.rmse_validation_after, 4) +
-            (c.rmse_validation_after < c.rmse_validation_before
+            (c.error_reduction_percent >= kHardlyAnyPercent
                  ? ", which takes away " + number(c.error_reduction_percent, 3) +
                        " % of the squared error."
                  : ": the readings show it, not the error.");
@@ -45,6 +48,26 @@ std::string told_of(const Candidate& c) {
   return told;
 }
 
+std::string table_of(const EffectTerm& term) {
+  return parameter_table(told_parameters(term), kIndent) + notes_on(term, kIndent);
+}
+
+// The other names of what is accepted: the same errors by the same first value.
+bool is_same_thing(const Candidate& other, const Candidate& c) {
+  constexpr double kSame = 1e-3;
+  const auto same = [](double a, double b) {
+    return std::abs(a - b) <= kSame * std::abs(b);
+  };
+  return c.status == CandidateStatus::kAccepted && other.status == c.status &&
+         c.with.empty() && other.with.empty() && !c.parameters.empty() &&
+         c.parameters.size() == other.parameters.size() &&
+         std::ranges::find(c.indistinguishable_from, other.effect) !=
+             c.indistinguishable_from.end() &&
+         same(other.rmse_validation_after, c.rmse_validation_after) &&
+         same(other.parameters[0].value, c.parameters[0].value) &&
+         other.parameters[0].unit == c.parameters[0].unit;
+}
+
 bool turned_down(const Candidate& c) {
   return c.status == CandidateStatus::kRejected ||
          c.status == CandidateStatus::kNotExcited;
@@ -56,6 +79,24 @@ std::string titles_of(const Candidate& candidate) {
   return listed(members_of(candidate), ", and with it ", [](const std::string& code) {
     return standard_catalogue().find(code)->description().title;
   });
+}
+
+std::string missing_in_words(const Candidate& best) {
+  constexpr std::size_t kFew = 3;
+  const std::string what = "What is missing: " + titles_of(best);
+  const std::vector<std::string>& rivals = best.indistinguishable_from;
+  if (rivals.empty()) return what + '.';
+  if (rivals.size() > kFew) {
+    return what + ", or one of " + std::to_string(rivals.size()) +
+           " other effects that this recording cannot tell from it; they are named "
+           "below.";
+  }
+  return what + (best.with.empty() ? ", or in its place " : ", or in place of one ") +
+         listed(rivals, " or ",
+                [](const std::string& code) {
+                  return standard_catalogue().find(code)->description().title;
+                }) +
+         ": this recording cannot tell.";
 }
 
 std::string search_on(const SearchSoFar& so_far, const std::vector<std::string>& more) {
@@ -103,20 +144,21 @@ std::string candidates_text(std::span<const Candidate> candidates) {
     const Candidate& c = candidates[i];
     const std::string told = told_of(c);
     std::string names = name_of_set(c);
-    for (std::size_t k = i + 1; turned_down(c) && k < candidates.size(); ++k) {
-      if (said[k] || candidates[k].status != c.status || told_of(candidates[k]) != told) {
-        continue;
-      }
-      names += ", " + name_of_set(candidates[k]);
+    for (std::size_t k = i + 1; k < candidates.size(); ++k) {
+      const Candidate& other = candidates[k];
+      const bool also = turned_down(c) && other.status == c.status && !said[k] &&
+                        told_of(other) == told;
+      const bool same = is_same_thing(other, c);
+      if (!also && !same) continue;
+      names += (same ? " or " : ", ") + name_of_set(other);
       said[k] = true;
     }
     text += padded(std::string(name_of(c.status)), kIndent) + wrapped(names, kIndent) +
             '\n' + std::string(kIndent, ' ') + wrapped(told, kIndent) + '\n';
     if (c.status == CandidateStatus::kAccepted) {
-      text += parameter_table(told_parameters({c.effect, c.parameters}), kIndent);
+      text += table_of({c.effect, c.parameters, c.phenomenological, c.untold});
       for (const EffectTerm& partner : c.partners) {
-        text += std::string(kIndent, ' ') + partner.effect + '\n' +
-                parameter_table(told_parameters(partner), kIndent);
+        text += std::string(kIndent, ' ') + partner.effect + '\n' + table_of(partner);
       }
     }
   }

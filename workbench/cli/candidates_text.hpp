@@ -12,6 +12,10 @@ namespace workbench::cli {
 /// "dead time, and with it a second process lag".
 [[nodiscard]] std::string titles_of(const Candidate& candidate);
 
+/// "What is missing: dead time." and, where the recording cannot tell it from others,
+/// what it may be instead.
+[[nodiscard]] std::string missing_in_words(const Candidate& best);
+
 /// What a further search could begin with.
 struct SearchSoFar {
   std::string ladder;                   ///< ladder_words()

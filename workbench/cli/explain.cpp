@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "workbench/analysis/identification_json.hpp"
+#include "workbench/analysis/wording.hpp"
 #include "workbench/cli/candidates_text.hpp"
 #include "workbench/cli/commands.hpp"
 #include "workbench/cli/console.hpp"
@@ -15,9 +16,9 @@
 #include "workbench/cli/next_file.hpp"
 #include "workbench/cli/unused_columns.hpp"
 #include "workbench/cli/verdict_beside.hpp"
-#include "workbench/effects/catalogue.hpp"
 #include "workbench/model/tell/cautions.hpp"
 #include "workbench/model/tell/explanation_json.hpp"
+#include "workbench/model/tell/what_to_do.hpp"
 #include "workbench/recording/resample.hpp"
 
 namespace workbench::cli {
@@ -35,24 +36,29 @@ accepted: samples that were not fitted agree, beyond chance. rejected: they do n
 not_excited: this recording never exercised it. undecided: it helps, but not beyond
 doubt, or another one explains more.)";
 
+// An accepted effect: what it is, what it may be instead, and what to do.
+std::string what_is_lacking(const Candidate& best, const ExplainResult& result,
+                            bool hardly, const std::optional<ValveVerdict>& verdict,
+                            const SearchSoFar& so_far) {
+  constexpr double kNearlyAll = 0.9;  // of the error
+  const std::string aside = "The readings show " + titles_of(best) +
+                            ", but hardly any of the error is its doing.";
+  std::string text = !is_beside_the_point(best) ? wrapped(missing_in_words(best), 0)
+                     : hardly || result.noise_rmse > kNearlyAll * result.rmse
+                         ? wrapped(aside, 0)
+                         : what_comes_closest(aside, result, so_far);
+  text += '\n';
+  for (const std::string& said : what_to_do(best, verdict && verdict->lacks_stem)) {
+    text += wrapped(said, 0) + '\n';
+  }
+  return text + '\n';
+}
+
 std::string what_is_missing(const ExplainResult& result, bool hardly,
                             const std::optional<ValveVerdict>& verdict,
                             const SearchSoFar& so_far) {
-  constexpr double kNearlyAll = 0.9;  // of the error
-  const Candidate* best = result.best();
-  const bool noise = result.noise_rmse > kNearlyAll * result.rmse;
-  std::string text;
-  if (best != nullptr) {
-    const std::string aside = "The readings show " + titles_of(*best) +
-                              ", but hardly any of the error is its doing.";
-    text = !is_beside_the_point(*best) ? "What is missing: " + titles_of(*best) + "."
-           : hardly || noise           ? wrapped(aside, 0)
-                                       : what_comes_closest(aside, result, so_far);
-    text += '\n';
-    for (const std::string& code : members_of(*best)) {
-      text += wrapped(standard_catalogue().find(code)->description().cure, 0) + '\n';
-    }
-    return text + '\n';
+  if (const Candidate* best = result.best()) {
+    return what_is_lacking(*best, result, hardly, verdict, so_far);
   }
   if (result.left_to_controller) return "";
   // Of a model that explains nothing that is no praise.
@@ -67,25 +73,51 @@ std::string what_is_missing(const ExplainResult& result, bool hardly,
          "\n\n";
 }
 
+// "Fit 71.3 %, error 2.1, validation 2.2, of which noise at most 0.4; in units of y"
+std::string errors_text(const ExplainResult& result, const Recording& recording,
+                        Column output) {
+  const std::string& unit = recording.unit(output);
+  return wrapped("Fit " + fixed(result.quality.fit_percent, 1) + " %; error " +
+                     number(result.rmse, 4) + ", validation " +
+                     number(result.rmse_validation, 4) + ", of which noise at most " +
+                     number(result.noise_rmse, 4) + ", in " +
+                     (unit.empty() ? "units of " + std::string(name_of(output)) : unit),
+                 0) +
+         '\n' + recordings_table(result.quality.recordings);
+}
+
+// What the readings show beside the point leaves the model as it is.
+bool adds_to_the_model(const ExplainResult& result) {
+  return result.with_best && !is_beside_the_point(*result.best());
+}
+
+// Of the model that the answer ends with: what the start could not tell, what is missing
+// may.
+std::string cautions_at_the_end(const ExplainResult& result, const Model& model,
+                                const Recording& recording, const FitQuality& quality) {
+  if (!adds_to_the_model(result)) return caution_text(model, recording, quality, false);
+  const std::string said =
+      caution_text(*result.with_best, recording, result.with_best_quality, false);
+  return said.empty() ? said : "\nOf the model with what is missing:\n" + said;
+}
+
 std::string explanation_text(const ExplainResult& result, const Model& model,
                              const Recording& recording,
                              const std::optional<ValveVerdict>& verdict, bool time_was_up,
                              const SearchSoFar& so_far) {
-  const bool single = result.recordings.size() == 1;
-  const double fit = single ? result.recordings.front().fit_percent : 100;
+  const bool single = result.quality.recordings.size() == 1;
+  const FitQuality& quality = result.quality;
   const bool blind = result.left_to_controller;
-  const bool hardly = single && tells_nothing(model, fit);
+  const bool hardly = single && tells_nothing(model, quality);
+  const bool first = blind || (hardly && !adds_to_the_model(result));
   std::string text =
-      hardly || blind ? caution_text(model, recording, fit, blind) + '\n' : std::string();
+      first ? caution_text(model, recording, quality, blind) + '\n' : std::string();
   text += what_is_missing(result, hardly, verdict, so_far);
   if (!result.complete) {
     text += wrapped(ended_early(time_was_up, "answer"), 0) + "\n\n";
   }
-  text += verdict_text(verdict);
-  text += "Error " + number(result.rmse, 4) + ", validation " +
-          number(result.rmse_validation, 4) + ", of which noise at most " +
-          number(result.noise_rmse, 4) + "\n" + recordings_table(result.recordings);
-  if (single && !hardly && !blind) text += caution_text(model, recording, fit, false);
+  text += verdict_text(verdict) + errors_text(result, recording, model.output);
+  if (single && !first) text += cautions_at_the_end(result, model, recording, quality);
   text += '\n';
   if (result.searched) {
     text += searched_text(*result.searched, "all errors and figures here.") + '\n';
@@ -109,7 +141,7 @@ int explain_with(const ModelOptions& options) {
     verdict = beside.of(work, model, result.best());
     time_was_up = work.out_of_time();
   }
-  complain_about_unlike(recording, model.output, result.recordings);
+  complain_about_unlike(recording, model.output, result.quality.recordings);
   complain_about_left_behind(model, recording);
   const Candidate* lacking = time_was_up ? nullptr : result.best();
   const UnusedColumns unused = complain_about_unused(

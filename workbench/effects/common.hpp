@@ -8,6 +8,9 @@
 
 namespace workbench::effects {
 
+/// Fouling and ageing need at least as long to show.
+inline constexpr double kDay_s = 86400;
+
 /// Where a further lag shows, wherever in the chain it is.
 inline constexpr std::string_view kLagSignature =
     "follows past u at small lags, whatever the amplitude";

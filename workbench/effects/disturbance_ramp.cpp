@@ -66,6 +66,12 @@ class Ramp final : public Effect {
     return {static_cast<int>(20 * (s.duration_s() - p[0]) / s.duration_s()),
             "twentieths of the recording that drift"};
   }
+  [[nodiscard]] std::string cure(const Situation& s, Reals p) const override {
+    return s.duration_s() < kDay_s
+               ? "Look for a slow cause: ambient temperature, something that warms up, a "
+                 "drifting transmitter."
+               : Effect::cure(s, p);
+  }
   [[nodiscard]] std::string evidence(const Situation& s, Reals p,
                                      Reals c) const override {
     return filled(

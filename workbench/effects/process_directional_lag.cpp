@@ -16,9 +16,10 @@ constexpr Description kDescription{
     .view = View::kDirection,
     .signature = "lasts longer after moves of u one way than after those the other way",
     .cure =
-        "Nothing is broken: a drive that coasts, a vessel that is heated but cools by "
+        "A drive that coasts, a vessel that is heated but cools by "
         "itself, answer so. Tune for the slower way, or schedule the controller by "
         "direction.",
+    .harmless = true,
     .split = "the same step of u up and down again, each held until the output settles",
     .bends = true,
 };

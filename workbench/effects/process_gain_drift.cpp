@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "workbench/effects/common.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
@@ -50,6 +51,14 @@ class GainDrift final : public Effect {
         "The same move of u has another effect late than early: the gain changes by {0} "
         "y/u over the recording.",
         {number(c[0] * s.duration_s(), 3)});
+  }
+  // What ages or fouls does so over days.
+  [[nodiscard]] std::string cure(const Situation& s, Reals p) const override {
+    return s.duration_s() < kDay_s
+               ? "Look for what changes within the recording: a supply whose pressure or "
+                 "temperature drifts, or something that warms up; record again once it "
+                 "rests, or schedule the gain."
+               : Effect::cure(s, p);
   }
   [[nodiscard]] std::string objection(const Situation& s, Reals, Reals c) const override {
     const double pivot = c[0] != 0 ? -c[1] / c[0] : s.u_high + 2 * s.u_span();

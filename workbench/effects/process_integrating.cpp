@@ -10,9 +10,8 @@ constexpr Description kDescription{
     .place = Place::kProcess,
     .view = View::kTime,
     .signature = "wanders slowly, because the model settles where the process does not",
-    .cure =
-        "Nothing is broken: a level, or a pressure without outflow. Tune as an "
-        "integrating loop.",
+    .cure = "It is a level, or a pressure without outflow. Tune as an integrating loop.",
+    .harmless = true,
     .split = "hold u constant away from balance for a while: does y settle or run away?",
 };
 

@@ -16,8 +16,9 @@ constexpr Description kDescription{
     .view = View::kLag,
     .signature = "follows the change of u with the opposite sign at short lags",
     .cure =
-        "Nothing is broken: two paths oppose each other, as shrink and swell in a "
+        "Two paths oppose each other, as shrink and swell in a "
         "boiler drum. Tune slowly, without derivative action.",
+    .harmless = true,
     .split = "one clear step of u in manual: does the output turn back first?",
 };
 

@@ -16,7 +16,8 @@ constexpr Description kDescription{
     .place = Place::kProcess,
     .view = View::kLevel,
     .signature = "bends with the level of the process, rising and falling alike",
-    .cure = "Nothing is broken: schedule the controller gain over the operating point.",
+    .cure = "Schedule the controller gain over the operating point.",
+    .harmless = true,
     .split =
         "repeat the same step of u at several operating points, and log the stem "
         "position",

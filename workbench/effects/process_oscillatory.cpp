@@ -59,11 +59,17 @@ class Oscillatory final : public Effect {
   [[nodiscard]] std::string evidence(const Situation&, Reals p, Reals) const override {
     const double root = std::sqrt(std::max(1 - p[1] * p[1], 1e-9));
     const double left = std::exp(-2 * std::numbers::pi * p[1] / root);
+    const std::string seen = number(p[0] / root, 3);
+    const std::string undamped = number(p[0], 3);
     return filled(
-        "After every move of u the output swings with a period of {0} s, of each swing "
-        "{1} "
-        "% is left in the next one; the swings start with u, unlike a load's.",
-        {number(p[0] / root, 3), number(100 * left, 2)});
+        seen == undamped
+            ? "After every move of u the output swings with a period of {0} s, of each "
+              "swing {1} % is left in the next one; the swings start with u, unlike a "
+              "load's."
+            : "After every move of u the output swings with a period of {0} s, which "
+              "without its damping would be {2} s; of each swing {1} % is left in the "
+              "next one; the swings start with u, unlike a load's.",
+        {seen, number(100 * left, 2), undamped});
   }
   // A loop that rings under a load makes its process look as if it did.
   [[nodiscard]] std::string objection(const Situation& s, Reals p, Reals) const override {

@@ -15,8 +15,9 @@ constexpr Description kDescription{
     .view = View::kLag,
     .signature = kLagSignature,
     .cure =
-        "Nothing is broken: the process has two storages. Tune for both lags, or use "
+        "The process has two storages. Tune for both lags, or use "
         "derivative action.",
+    .harmless = true,
     .split = "log the stem position: what lies between it and y is the process",
 };
 
@@ -31,18 +32,27 @@ class SecondLag final : public LagEffect {
     return out;
   }
   [[nodiscard]] std::string evidence(const Situation& s, Reals p, Reals) const override {
-    constexpr double kLong = 0.5;  // of the recording
-    const double faster = std::min(p[0], s.first_lag_s);
     return filled("The output starts to move gently, as behind a second lag of {0} s.",
                   {number(p[0], 3)}) +
-           (faster > kLong * s.duration_s()
+           (never_settles(s, p)
                 ? std::string(
                       " Both lags are about as long as the recording: the process may "
                       "integrate instead, once or twice. Tune by neither before a "
                       "recording in which the output settles.")
                 : std::string());
   }
+  [[nodiscard]] std::string cure(const Situation& s, Reals p) const override {
+    return never_settles(s, p)
+               ? "Record until the output settles after a move of u, then look again."
+               : Effect::cure(s, p);
+  }
   void form(Reals p, ProcessShape& shape) const override { shape.second_lag_s = p[0]; }
+
+ private:
+  static bool never_settles(const Situation& s, Reals p) {
+    constexpr double kLong = 0.5;  // of the recording
+    return std::min(p[0], s.first_lag_s) > kLong * s.duration_s();
+  }
 };
 
 }  // namespace

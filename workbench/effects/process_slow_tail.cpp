@@ -15,8 +15,9 @@ constexpr Description kDescription{
     .view = View::kLag,
     .signature = "follows u long after the rest of the answer is over",
     .cure =
-        "Nothing is broken: walls, insulation or dead corners store and give back "
-        "slowly. Tune for the fast part; to the controller the tail is a slow load.",
+        "Walls, insulation or dead corners store and give back slowly. Tune for the fast "
+        "part; to the controller the tail is a slow load.",
+    .harmless = true,
     .split = "one clear step of u in manual, watched until the output really rests",
 };
 

@@ -20,8 +20,9 @@ constexpr Description kDescription{
     .view = View::kLevel,
     .signature = "bends with the level of u, rising and falling alike",
     .cure =
-        "Nothing is broken: choose another trim, let split ranges meet, or linearise the "
+        "Choose another trim, let split ranges meet, or linearise the "
         "signal in the controller.",
+    .harmless = true,
     .split =
         "hold u at several levels long enough for y to settle, and log the stem "
         "position",
@@ -220,6 +221,11 @@ class Characteristic final : public ShownByMoves {
     std::array<double, kPoints> way_{};
   };
 
+  // No curve is told to a tenth of a percent.
+  static std::string percent_of_way(double share) {
+    return number(std::round(1000 * share) / 10, 3);
+  }
+
   static std::string words(Reals p) {
     if (is_parted(p)) return words_of_pieces(p);
     if (p[3] > 0.5) {
@@ -227,8 +233,8 @@ class Characteristic final : public ShownByMoves {
       return filled(
           "Flow follows u along {0}: at a quarter, half and three quarters of the range "
           "of u it has come {1}, {2} and {3} % of its way.",
-          {std::string(kind_of(curve).words), number(100 * curve.share(0.25), 3),
-           number(100 * curve.share(0.5), 3), number(100 * curve.share(0.75), 3)});
+          {std::string(kind_of(curve).words), percent_of_way(curve.share(0.25)),
+           percent_of_way(curve.share(0.5)), percent_of_way(curve.share(0.75))});
     }
     return filled(p[0] > 0
                       ? "The valve passes {0} times as much flow per unit of u at the "

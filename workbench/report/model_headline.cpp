@@ -40,7 +40,12 @@ std::string model_headline(const ModelReport& report) {
                {title_of(missing->effect)}));
   }
   if (missing != nullptr) {
-    return "The model still lacks " + titled(members_of(*missing), " and ") + ".";
+    const std::string what = titled(members_of(*missing), " and ");
+    return filled(missing->indistinguishable_from.empty()
+                      ? "The model still lacks {0}."
+                      : "The model still lacks {0}, or what this recording cannot tell "
+                        "from it.",
+                  {what});
   }
   if (report.explanation.left_to_controller) {
     return "Little but the controller moves u: what the process makes of it is not "
@@ -49,7 +54,7 @@ std::string model_headline(const ModelReport& report) {
   if (says_hardly_anything(report.comparison.quality.fit_percent)) {
     return "From u alone the model says hardly anything about the output.";
   }
-  if (may_lack_gain(report.model)) {
+  if (tells_nothing(report.model, report.comparison.quality)) {
     return "How far the output follows u, if at all, is not told.";
   }
   const auto [found, doubtful, harmful] = told_of(report);

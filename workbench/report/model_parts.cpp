@@ -11,6 +11,7 @@
 #include "workbench/model/tell/curve_of.hpp"
 #include "workbench/model/tell/harm.hpp"
 #include "workbench/model/tell/parameter_words.hpp"
+#include "workbench/model/tell/what_to_do.hpp"
 #include "workbench/recording/filled.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/report/model_headline.hpp"
@@ -245,15 +246,17 @@ std::string model_verdict(const ModelReport& report) {
   if (const Candidate* missing = report.explanation.best()) {
     remarks.push_back({"Cannot be told apart.", cannot_tell(*missing)});
     std::string_view title = "What to do.";
-    for (const std::string& code : members_of(*missing)) {
-      const Effect* effect = standard_catalogue().find(code);
-      remarks.push_back(
-          {std::exchange(title, ""), std::string(effect->description().cure)});
+    for (const std::string& said : what_to_do(*missing, report.lacks_stem)) {
+      remarks.push_back({std::exchange(title, ""), said});
     }
   }
   for (const std::string& caution :
-       cautions(report.model, report.recording, report.comparison.quality.fit_percent,
-                report.explanation.left_to_controller)) {
+       report.explanation.with_best
+           ? cautions(*report.explanation.with_best, report.recording,
+                      report.explanation.with_best_quality,
+                      report.explanation.left_to_controller)
+           : cautions(report.model, report.recording, report.comparison.quality,
+                      report.explanation.left_to_controller)) {
     remarks.push_back({"Mind this.", caution});
   }
   if (!report.explanation.explained && !report.comparison.failures.empty()) {

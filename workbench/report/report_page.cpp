@@ -82,9 +82,10 @@ std::string evidence(const ReportData& data) {
         "above 0: the second path is worth its parameters");
   }
   row("Squared error, linear over physical valve", fixed(e.error_ratio, 2),
-      "1: nothing gained by a valve that sticks");
+      "1: nothing gained by a valve that sticks; where it was searched, not over all "
+      "samples as the bars");
   row("Squared error, no slip jump over physical valve", fixed(e.jump_ratio, 2),
-      "1: play (backlash) explains it as well");
+      "1: play (backlash) explains it as well; where it was searched");
   row("Gain in log-likelihood", fixed(e.score, 1),
       "nats, after the cost of the valve's parameters");
   row("Stick band over swing of u", fixed(e.band_over_swing, 2),

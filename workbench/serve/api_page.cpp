@@ -66,11 +66,12 @@ ApiResponse get_effects(Session&, const ApiRequest&) {
   Json effects = Json::array();
   for (const Effect* effect : standard_catalogue().effects()) {
     const Description& d = effect->description();
-    effects.push_back({{"effect", d.code},
-                       {"title", d.title},
-                       {"signature", d.signature},
-                       {"cure", d.cure},
-                       {"split", d.split}});
+    effects.push_back(
+        {{"effect", d.code},
+         {"title", d.title},
+         {"signature", d.signature},
+         {"cure", (d.harmless ? "Nothing is broken. " : "") + std::string(d.cure)},
+         {"split", d.split}});
   }
   return json_response({{"schema", 1}, {"effects", effects}});
 }

@@ -53,6 +53,47 @@ TEST(CandidatesText, SaysWhatOneOfAPairMayAsWellBe) {
       << told;
 }
 
+TEST(CandidatesText, SaysWhatIsMissingWithWhatItMayBeInstead) {
+  Candidate best = candidate("process.dead_time", CandidateStatus::kAccepted, "Late.");
+  EXPECT_EQ(missing_in_words(best), "What is missing: dead time.");
+  best.indistinguishable_from = {"process.second_lag"};
+  EXPECT_EQ(missing_in_words(best),
+            "What is missing: dead time, or in its place a second process lag: this "
+            "recording cannot tell.");
+  best.indistinguishable_from.assign(8, "sensor.lag");
+  EXPECT_NE(missing_in_words(best).find("or one of 8 other effects"), std::string::npos);
+}
+
+TEST(CandidatesText, OneLagUnderTwoNamesIsOneBlock) {
+  std::vector<Candidate> all = {
+      candidate("process.second_lag", CandidateStatus::kAccepted, "Gently."),
+      candidate("sensor.lag", CandidateStatus::kAccepted, "It trails.")};
+  all[0].indistinguishable_from = {"sensor.lag"};
+  all[1].indistinguishable_from = {"process.second_lag"};
+  for (Candidate& one : all) {
+    one.rmse_validation_before = 2;
+    one.rmse_validation_after = 1;
+    one.error_reduction_percent = 75;
+    one.parameters = {{.name = "lag", .unit = "s", .value = 101.5}};
+  }
+  const std::string told = candidates_text(all);
+  EXPECT_TRUE(told.starts_with("accepted     process.second_lag or sensor.lag\n"))
+      << told;
+  EXPECT_EQ(told.find("It trails"), std::string::npos) << told;
+  all[1].parameters[0].value = 95;
+  EXPECT_NE(candidates_text(all).find("It trails"), std::string::npos);
+}
+
+TEST(CandidatesText, AMillionthOfTheErrorIsNoneOfIt) {
+  Candidate levels =
+      candidate("sensor.quantisation", CandidateStatus::kAccepted, "Levels.");
+  levels.rmse_validation_before = 1;
+  levels.rmse_validation_after = 0.99999;
+  levels.error_reduction_percent = 5.68e-6;
+  EXPECT_NE(candidates_text({&levels, 1}).find("the readings show it, not"),
+            std::string::npos);
+}
+
 TEST(CandidatesText, NamesWhatComesClosest) {
   ExplainResult result;
   result.candidates = {

@@ -263,5 +263,33 @@ TEST(Catalogue, AnEffectThatIsNotInItIsFoundOnceItIsAdded) {
   }
 }
 
+// Nothing fouls within minutes, and no lag is tuned for that never shows its end.
+TEST(Catalogue, ACureFitsTheLengthOfTheRecording) {
+  const Effect& drift = *standard_catalogue().find("process.gain_drift");
+  const std::vector<double> u(1000, 50.0);
+  Situation here;
+  here.u = u;
+  here.period_s = 1;
+  here.first_lag_s = 900;
+  EXPECT_EQ(drift.cure(here, {}).find("catalyst"), std::string::npos);
+  const Effect& lag = *standard_catalogue().find("process.second_lag");
+  const double slow[] = {800};
+  const double fast[] = {20};
+  EXPECT_NE(lag.cure(here, slow).find("Record until"), std::string::npos);
+  EXPECT_EQ(lag.cure(here, fast), lag.description().cure);
+  here.period_s = 3600;
+  EXPECT_EQ(drift.cure(here, {}), drift.description().cure);
+}
+
+TEST(Catalogue, WhatIsHarmlessNamesNothingToMend) {
+  for (const Effect* effect : standard_catalogue().effects()) {
+    const Description& d = effect->description();
+    if (!d.harmless) continue;
+    EXPECT_TRUE(d.place == Place::kProcess || d.place == Place::kCharacteristic)
+        << d.code;
+    EXPECT_EQ(d.cure.find("Check"), std::string_view::npos) << d.code;
+  }
+}
+
 }  // namespace
 }  // namespace workbench

@@ -1,8 +1,8 @@
 // German: what only the report of the command line says.
 export default {
   '% of the range of u': '% des Bereichs von u',
-  '1: nothing gained by a valve that sticks': '1: ein klemmendes Ventil bringt nichts',
-  '1: play (backlash) explains it as well': '1: Spiel (Lose) erklärt es ebenso gut',
+  '1: nothing gained by a valve that sticks; where it was searched, not over all samples as the bars': '1: ein klemmendes Ventil bringt nichts; wo gesucht wurde, nicht über alle Werte wie die Balken',
+  '1: play (backlash) explains it as well; where it was searched': '1: Spiel (Lose) erklärt es ebenso gut; wo gesucht wurde',
   'AIC, linear minus two-path model': 'AIC, linear minus Zweiwegemodell',
   'above 0: the second path is worth its parameters': 'über 0: Der zweite Weg ist seine Parameter wert',
   'ascending, knots of u': 'steigend, Knoten von u',
