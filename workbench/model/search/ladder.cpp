@@ -230,6 +230,9 @@ class Climb {
       history_.push_back(step_of(fitter_, code, &fit_, now));
       note(code, now, false,
            added.size() == 1 ? group : rivals_of(fitter_, next, *added[i], catalogue_));
+      // What only helps together is told as one step.
+      steps_.back().on_the_way = i + 1 < added.size() && fitter_.rmse_on(now, false) >
+                                                             fitter_.rmse_on(fit_, false);
       fit_ = std::move(now);
     }
   }

@@ -70,10 +70,12 @@ struct LadderOptions {
 };
 
 struct LadderStep {
-  std::string effect;       ///< "process" for the first
-  bool removed = false;     ///< an earlier effect that a later one made superfluous
-  bool on_the_way = false;  ///< of an exchange, which the steps after it complete
-  double rmse = 0;          ///< after the step, all samples
+  std::string effect;    ///< "process" for the first
+  bool removed = false;  ///< an earlier effect that a later one made superfluous
+  /// Of an exchange or of several that only help together, which the steps after it
+  /// complete.
+  bool on_the_way = false;
+  double rmse = 0;  ///< after the step, all samples
   double rmse_validation = 0;
   /// Group of the effect in the final model, or when it was chosen where it is not in
   /// that or the only one; empty where it stands alone.

@@ -20,6 +20,13 @@ constexpr std::size_t kMostSwapped = 3;  // effects, for look-alikes to be tried
 
 const NoiseColour kWhite;
 
+// A ladder does not end on a step that does plainly worse where nothing was fitted,
+// though in a short recording that may be chance.
+bool judges_worse(const Fitter& fitter, const Fit& next, const Fit& than) {
+  constexpr double kPlainly = 1.1;
+  return fitter.rmse_on(next, false) > kPlainly * fitter.rmse_on(than, false);
+}
+
 // Less one effect: from where it is and, where that is too little, from scratch.
 Fit rest_of(const Fitter& fitter, const Fit& fit, const Effect& effect) {
   Fit rest = fitter.without(fit, effect);
@@ -86,7 +93,10 @@ std::optional<Fit> with_fewer(const Fitter& fitter, const Fit& fit, const Fit& m
         continue;
       const Fit rest = fitter.without(fitter.without(fit, *one), *two);
       auto next = best_beside(fitter, rest, choice);
-      if (!next || lowers_error(fitter, *next, measure)) continue;
+      if (!next || lowers_error(fitter, *next, measure) ||
+          judges_worse(fitter, *next, measure)) {
+        continue;
+      }
       if (best && best->error < next->error) continue;
       const Effect& newest = *next->effects.back();
       if (is_itself(fitter, *next, thorough_intervals_of(fitter, *next), newest)) {
@@ -180,7 +190,10 @@ std::optional<Revision> revised(const Fitter& fitter, const Fit& fit,
     if (!other) continue;
     const double score = score_of(other->fit, kWhite);
     const NoiseColour colour = colour_of(other->fit.residual);
-    if (score > least || score_of(other->fit, colour) > score_of(fit, colour)) continue;
+    if (score > least || score_of(other->fit, colour) > score_of(fit, colour) ||
+        judges_worse(fitter, other->fit, fit)) {
+      continue;
+    }
     least = score;
     best = std::move(other);
   }

@@ -35,6 +35,17 @@ TEST(LadderSteps, EachHasARowAndWhatItMayAsWellBe) {
   EXPECT_NE(text.find("  without sensor.lag "), std::string::npos) << text;
 }
 
+TEST(LadderSteps, TwoThatOnlyHelpTogetherAreOneRow) {
+  std::vector<LadderStep> steps = {step("process", 4), step("valve.rate_limit", 5),
+                                   step("disturbance.step", 2)};
+  steps[1].on_the_way = true;
+  const std::string text = steps_text(steps);
+  EXPECT_NE(text.find("  valve.rate_limit, disturbance.step\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("down 50.0 %"), std::string::npos) << text;
+  EXPECT_EQ(text.find("up "), std::string::npos) << text;
+}
+
 // That it is worse without what goes is no step of its own.
 TEST(LadderSteps, AnExchangeIsOneRow) {
   std::vector<LadderStep> steps = {step("process", 4), step("valve.stiction", 2),
