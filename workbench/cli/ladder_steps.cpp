@@ -42,6 +42,9 @@ std::string row_text(const Row& row, double before) {
                      without_end_blanks(padded(number(row.last->rmse_validation, 4), 12) +
                                         fall(before, row.last->rmse_validation)) +
                      '\n';
+  if (row.came.empty() && row.last->rmse_validation > before) {
+    text += "      the simpler model: what it loses may be chance\n";
+  }
   for (const std::string& rival : row.rivals) {
     const std::size_t own = row.came.size() == 1 ? row.came[0].size() + 1 : 0;
     text += "      " + rival.substr(own) + ": this recording cannot tell\n";

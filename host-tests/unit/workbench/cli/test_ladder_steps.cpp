@@ -33,6 +33,9 @@ TEST(LadderSteps, EachHasARowAndWhatItMayAsWellBe) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("  without sensor.lag "), std::string::npos) << text;
+  EXPECT_NE(text.find("the simpler model: what it loses may be chance"),
+            std::string::npos)
+      << text;
 }
 
 TEST(LadderSteps, TwoThatOnlyHelpTogetherAreOneRow) {
