@@ -181,20 +181,24 @@ Reason explained_by_curve(Reason found, const Evidence<Real>& e,
 }
 
 // What speaks one sample ahead for bands that running free are not told from 0. In a few
-// turns of u a stem of another band is another one, if any.
+// turns of u a stem of another band is another one, if any; that is not asked on a bare
+// board.
 template <class Real>
-Threshold nats_of_bands(const Evidence<Real>& e) {
-  const bool many = e.reversals >= kFiveCycles;
-  const Threshold rung =
-      many || has_band(e, e.ladder.band) ? exact(e.ladder.nats) : Threshold(0);
-  const Threshold curved =
-      has_band(e, Real(e.curved.wider_band)) ? exact(e.curved.nats) : Threshold(0);
-  return std::max({exact(nats_of_stems(e, Real(0))), rung, curved});
+Real nats_of_bands(const Evidence<Real>& e) {
+  const Real stem = nats_of_stems(e, Real(0));
+  if constexpr (kStemSearch) {
+    const bool rung = e.reversals >= kFiveCycles || has_band(e, e.ladder.band);
+    const bool curved = has_band(e, e.curved.wider_band);
+    return std::max(
+        {stem, rung ? e.ladder.nats : Real(0), curved ? e.curved.nats : Real(0)});
+  } else {
+    return std::max(stem, e.ladder.nats);
+  }
 }
 
 template <class Real>
 Reason doubt_bands(Reason found, const Evidence<Real>& e, const PerStroke<Real>& fitted) {
-  const bool ahead = nats_of_bands(e) > Threshold(kAgreedNats);
+  const bool ahead = exact(nats_of_bands(e)) > Threshold(kAgreedNats);
   return is_fault(verdict_of(found)) && reach_zero(fitted) && !ahead
              ? Reason::kEvidenceTooWeak
              : found;
