@@ -4,20 +4,13 @@
 
 #include <algorithm>
 
-#include "ident/base/elementary.hpp"
+#include "ident/evidence/stem_passes.hpp"
 #include "ident/in_place_identifier.hpp"
 
 namespace ident {
 
 // Of a stem that was searched: deadband, two slip jumps, and where it starts.
 inline constexpr int kParametersOfStem = 4;
-
-// What they cost, nats (Schwarz's BIC).
-template <class Real>
-[[nodiscard]] Real stem_cost(std::size_t predicted) {
-  return static_cast<Real>(kParametersOfStem) / Real(2) *
-         elementary::log(static_cast<Real>(predicted));
-}
 
 template <class Real, std::size_t Capacity>
 void InPlaceIdentifier<Real, Capacity>::weigh_stem() {
@@ -38,8 +31,9 @@ void InPlaceIdentifier<Real, Capacity>::search_stem() {
       return look_beside_setpoint();
     }
     result_.evidence.searched.asked = true;
-    evidence_stage().search.start(movement_.swing, u_[0],
-                                  Real(kNoNats) + stem_cost<Real>(e.ladder.predicted));
+    evidence_stage().search.start(
+        movement_.swing, u_[0],
+        Real(kNoNats) + cost_of<Real>(kParametersOfStem, e.ladder.predicted));
     closed_loop().start_with(evidence_window(valve_stage().sums),
                              evidence_stage().search.proposed().valve(), 0,
                              kCoarseLagBins);
@@ -62,7 +56,8 @@ void InPlaceIdentifier<Real, Capacity>::confirm_stem() {
     }
     const FoundStem<Real>& best = search.best();
     if (!best.known ||
-        best.nats < Real(kNoNats) + stem_cost<Real>(closed_loop().predicted())) {
+        best.nats <
+            Real(kNoNats) + cost_of<Real>(kParametersOfStem, closed_loop().predicted())) {
       return look_beside_setpoint();
     }
     closed_loop().start_with(evidence_window(valve_stage().sums), best.valve(),

@@ -78,7 +78,7 @@ void InPlaceIdentifier<Real, Capacity>::take_ladder() {
       !repeats(result_.evidence.cycle, found.nats) &&
       !keeps_foreign_time(result_.evidence.pace) &&
       !(kStemSearch && (needs_u(result_.evidence) || few_levels(result_.loop) ||
-                        outweighs(result_.evidence.bounded, found.nats)))) {
+                        outweighs<Real>(result_.evidence.bounded.nats, found.nats)))) {
     options_.pool->add(ladder_stage().ladder, found.predicted, options_.weight);
   }
   result_.detectable_band = found.detectable_band * u_range();

@@ -69,8 +69,7 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
   if (done_) {
     return;
   }
-  cost_ = static_cast<Real>(parameters) / Real(2) *
-          elementary::log(static_cast<Real>(passes_.rows()));
+  cost_ = cost_of<Real>(parameters, passes_.rows());
   rungs_ = rungs_within(window.swing, window.span);
 }
 

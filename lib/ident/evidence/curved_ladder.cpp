@@ -48,14 +48,6 @@ StickSlipValve<Real> CurvedLadder<Real>::valve() const {
   return {friction, window.u[0]};
 }
 
-// What the parameters of the stem that is tried cost, nats.
-template <class Real>
-Real CurvedLadder<Real>::cost() const {
-  const int parameters = tried_ == last_ ? fitted_.parameters : 2;
-  return static_cast<Real>(parameters) / Real(2) *
-         elementary::log(static_cast<Real>(passes_.rows()));
-}
-
 template <class Real>
 Real CurvedLadder<Real>::band() const {
   return tried_ == last_ ? fitted_.band
@@ -72,10 +64,9 @@ void CurvedLadder<Real>::take_u() {
     return;
   }
   const Real rows = static_cast<Real>(passes_.rows());
-  const Real lags = static_cast<Real>(passes_.sums().bins());
   best_[beside_ ? 1 : 0].curve_nats =
       rows / Real(2) * elementary::log(error_of_u_ / passes_.error_of_u()) -
-      lags / Real(2) * elementary::log(rows);
+      cost_of<Real>(static_cast<int>(passes_.sums().bins()), passes_.rows());
   try_next();
 }
 
@@ -87,7 +78,8 @@ void CurvedLadder<Real>::take_nats() {
     return;
   }
   Best& best = best_[beside_ ? 1 : 0];
-  const Real nats = gained - cost();
+  const int parameters = tried_ == last_ ? fitted_.parameters : 2;
+  const Real nats = gained - cost_of<Real>(parameters, passes_.rows());
   if (nats > best.nats) {
     best.nats = nats;
     best.band = band();

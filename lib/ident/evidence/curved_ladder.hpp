@@ -66,7 +66,6 @@ class CurvedLadder {
   void take_nats();
   void try_next();
   [[nodiscard]] StickSlipValve<Real> valve() const;
-  [[nodiscard]] Real cost() const;
   [[nodiscard]] Real band() const;
 
   StemPasses<Real> passes_;

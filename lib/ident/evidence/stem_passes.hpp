@@ -7,6 +7,7 @@
 #include <span>
 
 #include "ident/base/configurations.hpp"
+#include "ident/base/elementary.hpp"
 #include "ident/base/limits.hpp"
 #include "ident/evidence/lag_bins.hpp"
 #include "ident/evidence/one_step_sums.hpp"
@@ -42,6 +43,13 @@ std::span<const Real> thin_out(std::span<const Real> from, std::size_t thinning,
     to[t] = sum / static_cast<Real>(thinning);
   }
   return to;
+}
+
+/// What free parameters cost where so many rows are predicted, nats (Schwarz's BIC).
+template <class Real>
+[[nodiscard]] Real cost_of(int parameters, std::size_t rows) {
+  return static_cast<Real>(parameters) / Real(2) *
+         elementary::log(static_cast<Real>(rows));
 }
 
 /// What is summed of a stem (one_step_sums.hpp).

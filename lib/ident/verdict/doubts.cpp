@@ -111,14 +111,14 @@ Reason doubt_repeating(Reason found, const Evidence<Real>& e) {
 }
 
 template <class Real>
-bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats) {
-  return kStemSearch && exact(bounded.nats) > Threshold(kNoNats) &&
-         exact(bounded.nats) > kTimesBounded * exact(stem_nats);
+bool outweighs(Real rival_nats, Real stem_nats) {
+  return kStemSearch && exact(rival_nats) > Threshold(kNoNats) &&
+         exact(rival_nats) > kTimesBounded * exact(stem_nats);
 }
 
 template <class Real>
 bool bound_outweighs(const Evidence<Real>& e) {
-  return outweighs(e.bounded, best_nats(e));
+  return outweighs<Real>(e.bounded.nats, best_nats(e));
 }
 
 template <class Real>
@@ -172,7 +172,7 @@ Reason explained_by_curve(Reason found, const Evidence<Real>& e,
                           const LoopEvidence<Real>& loop,
                           const RecordHealth<Real>& health) {
   const bool explains = e.curved.weighed && !(e.curved.nats > Real(0)) &&
-                        outweighs<Real>({e.curved.curve_nats, {}}, best_nats(e));
+                        outweighs<Real>(e.curved.curve_nats, best_nats(e));
   if (!may_be_curve(found) || !explains) {
     return found;
   }
@@ -237,7 +237,7 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
   template bool repeats<Real>(const RememberedCycle<Real>&, Real);                 \
   template bool repeats<Real>(const Evidence<Real>&);                              \
   template Reason doubt_repeating<Real>(Reason, const Evidence<Real>&);            \
-  template bool outweighs<Real>(const BoundedFinding<Real>&, Real);                \
+  template bool outweighs<Real>(Real, Real);                                       \
   template bool bound_outweighs<Real>(const Evidence<Real>&);                      \
   template Reason doubt_bounded<Real>(Reason, const Evidence<Real>&);              \
   template Reason doubt_bent<Real>(Reason, const Evidence<Real>&);                 \

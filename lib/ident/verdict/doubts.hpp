@@ -30,7 +30,7 @@ template <class Real>
 /// Whether the lags of one cycle ago foretell y nearly as well as a stem of so many nats.
 template <class Real>
 [[nodiscard]] bool repeats(const RememberedCycle<Real>& cycle, Real stem_nats);
-/// The same beside the best stem of all that were asked.
+/// The same of a bounded stem beside the best one of all that were asked.
 template <class Real>
 [[nodiscard]] bool repeats(const Evidence<Real>& evidence);
 
@@ -43,10 +43,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Reason doubt_repeating(Reason found, const Evidence<Real>& evidence);
 
-/// Whether a stem that is bounded but does not stick (E19) has clearly more nats than one
-/// that sticks has, `stem_nats`.
+/// Whether what does not stick, a bounded stem (E19) or a curve (E24), has clearly more
+/// nats, `rival_nats`, than a stem that sticks has.
 template <class Real>
-[[nodiscard]] bool outweighs(const BoundedFinding<Real>& bounded, Real stem_nats);
+[[nodiscard]] bool outweighs(Real rival_nats, Real stem_nats);
 /// The same beside the best stem of all that were asked.
 template <class Real>
 [[nodiscard]] bool bound_outweighs(const Evidence<Real>& evidence);

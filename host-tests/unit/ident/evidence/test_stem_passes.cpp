@@ -46,6 +46,12 @@ struct PlayingLoop {
     bool over = false;
     while (!over) passes.piece([](double u) { return u; }, [&over] { over = true; });
   }
+  void begin_with_u() {
+    start();
+    ASSERT_TRUE(passes.begin(kCoarseLagBins));
+    EXPECT_EQ(nats_of_u(), 0);
+    passes.next();
+  }
   double nats_of_u() {
     return nats_of([](double) { return 100.0; });
   }
@@ -75,10 +81,7 @@ TEST(StemPasses, LayUItselfFirst) {
 
 TEST(StemPasses, SumAStemWhereUStood) {
   PlayingLoop loop(1000);
-  loop.start();
-  ASSERT_TRUE(loop.passes.begin(kCoarseLagBins));
-  loop.nats_of_u();
-  loop.passes.next();
+  loop.begin_with_u();
   const double found = loop.nats_of_play();
   EXPECT_GT(found, 20);
 
@@ -93,10 +96,7 @@ TEST(StemPasses, SumAStemWhereUStood) {
 
 TEST(StemPasses, AreTheSameForASecondSetOfLags) {
   PlayingLoop loop(1000);
-  loop.start();
-  ASSERT_TRUE(loop.passes.begin(kCoarseLagBins));
-  loop.nats_of_u();
-  loop.passes.next();
+  loop.begin_with_u();
   const double found = loop.nats_of_play();
   ASSERT_TRUE(loop.passes.begin(kCoarseLagBins));
   EXPECT_EQ(loop.nats_of_u(), 0);
