@@ -50,8 +50,15 @@ std::string harm_text(const Model& model, const std::string& effect) {
 }
 
 std::string change_text(const HistoryStep& step) {
-  return "\n  validation error " + number(step.rmse_validation_before, 4) + " to " +
-         number(step.rmse_validation_after, 4) + ", " +
+  std::string ahead;
+  if (step.ahead) {
+    ahead = "\n  one sample ahead " + number(step.ahead->before, 4) + " to " +
+            number(step.ahead->after, 4) + ", " +
+            fall(step.ahead->before, step.ahead->after) +
+            ": the load hides it from the free run";
+  }
+  return ahead + "\n  validation error " + number(step.rmse_validation_before, 4) +
+         " to " + number(step.rmse_validation_after, 4) + ", " +
          fall(step.rmse_validation_before, step.rmse_validation_after) +
          "\n  error            " + number(step.rmse_before, 4) + " to " +
          number(step.rmse_after, 4) + ", " + fall(step.rmse_before, step.rmse_after) +

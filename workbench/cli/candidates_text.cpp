@@ -28,7 +28,7 @@ std::string name_of_set(const Candidate& c) {
 
 std::string told_of(const Candidate& c) {
   std::string told = c.evidence;
-  if (c.status == CandidateStatus::kAccepted) {
+  if (c.status == CandidateStatus::kAccepted && !c.ahead) {
     told += " Validation error " + number(c.rmse_validation_before, 4) + " to " +
             number(c.rmse_validation_after, 4) +
             (c.error_reduction_percent >= kHardlyAnyPercent

@@ -42,6 +42,12 @@ std::string row_text(const Row& row, double before) {
                      without_end_blanks(padded(number(row.last->rmse_validation, 4), 12) +
                                         fall(before, row.last->rmse_validation)) +
                      '\n';
+  if (row.last->ahead) {
+    text += "      the load hides it; one sample ahead " +
+            number(row.last->ahead->before, 4) + " to " +
+            number(row.last->ahead->after, 4) + ", " +
+            fall(row.last->ahead->before, row.last->ahead->after) + '\n';
+  }
   if (row.came.empty() && row.last->rmse_validation > before) {
     text += "      the simpler model: what it loses may be chance\n";
   }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,17 @@ struct EffectTerm {
   bool untold = false;            ///< its intervals reach to where it would be absent
 };
 
+/// Root mean square errors one sample ahead, given the past of what is left, on samples
+/// that were not fitted. Units of the output.
+struct AheadErrors {
+  double before = 0;
+  double after = 0;
+
+  [[nodiscard]] double share() const {  ///< of the squared error that went away
+    return 1 - after * after / (before * before);
+  }
+};
+
 /// One step of the history. Errors are free-run root mean square errors, units of the
 /// output; "before" is null-like (NaN) for the start.
 struct HistoryStep {
@@ -45,6 +57,7 @@ struct HistoryStep {
   double rmse_after = 0;
   double rmse_validation_before = 0;
   double rmse_validation_after = 0;
+  std::optional<AheadErrors> ahead{};  ///< where only these tell the effect (W44)
 };
 
 /// The recording a model was fitted to, or several: their samples one after the other.
@@ -75,6 +88,8 @@ struct Model {
   std::vector<Parameter> initial_state;  ///< belongs to the recording, not to the plant
   FittedRecording fitted;
   std::vector<HistoryStep> history;
+  /// The noise colour under which it was fitted (FreeRun::weigh_by); often empty.
+  std::vector<double> noise{};
 
   [[nodiscard]] bool has(std::string_view effect) const;
   /// Codes of `effects`, in their order.

@@ -173,6 +173,8 @@ void Fitter::record(const FreeRun& run, double error, Fit& fit) {
   fit.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
   fit.residual.assign(run.residual().begin(), run.residual().end());
   fit.aside.assign(run.aside().begin(), run.aside().end());
+  fit.weight = run.weight();
+  if (!fit.weight.empty()) fit.weighed.assign(run.judged().begin(), run.judged().end());
 }
 
 Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
@@ -191,6 +193,7 @@ Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
 
 Fit Fitter::at(const Fit& fit, std::vector<double> p) const {
   FreeRun run(base_, blocks_, fit.effects, *work_);
+  run.weigh_by(fit.weight);
   return taken(run, fit.effects, std::move(p));
 }
 
@@ -268,6 +271,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
   std::vector<const Effect*> effects = base.effects;
   effects.push_back(&effect);
   FreeRun run(base_, blocks_, effects, *work_);
+  run.weigh_by(base.weight);
   ScreenedStarts own;
   if (seen == nullptr) seen = &own;
   if (seen->points.empty()) seen->points = judged_starts(run, base, effect);
@@ -304,6 +308,7 @@ Fit Fitter::taken_over(Fit other, bool from_elsewhere,
   }
   if (from_elsewhere) other = without_state(std::move(other));
   FreeRun run(base_, blocks_, other.effects, *work_);
+  run.weigh_by(other.weight);
   SearchPoint point = evaluate(run, carried(run, other, base_));
   point = descend(run, std::move(point), kIterations, kNarrowStep);
   return found(run, other.effects, std::move(point.p));
@@ -311,6 +316,7 @@ Fit Fitter::taken_over(Fit other, bool from_elsewhere,
 
 Fit Fitter::refine(const Fit& base, std::span<const FreeRun::Held> held) const {
   FreeRun run(base_, blocks_, base.effects, *work_);
+  run.weigh_by(base.weight);
   run.hold(held);
   SearchPoint point = evaluate(run, carried(run, base, base_));
   point = search_on(run, std::move(point), Effort::kThorough);
@@ -351,6 +357,7 @@ std::vector<const Effect*> all_but(const Effect& effect, const Fit& fit) {
 Fit Fitter::less(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
   FreeRun run(base_, blocks_, effects, *work_);
+  run.weigh_by(base.weight);
   Fit fit = taken(run, std::move(effects), carried(run, base, base_));
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     for (std::size_t j = 0; j < base.columns.size(); ++j) {
@@ -368,6 +375,7 @@ Fit Fitter::less(const Fit& base, const Effect& effect) const {
 Fit Fitter::without(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
   FreeRun run(base_, blocks_, effects, *work_);
+  run.weigh_by(base.weight);
   const std::vector<double> p = carried(run, base, base_);
   SearchPoint best = search_on(run, evaluate(run, p), Effort::kThorough);
   if (const auto slot = first_lag_slot(run)) {

@@ -34,8 +34,14 @@ struct Fit {
   std::vector<double> residual;      ///< y minus simulation; 0 where left out
   std::vector<double> aside;         ///< y minus simulation of the samples left out
   double error = 0;                  ///< squared, summed over the estimation blocks
+  std::vector<double> weight;        ///< FreeRun::weigh_by()
+  std::vector<double> weighed;       ///< residual behind that; empty where there is none
   bool integrating = false;
 
+  /// The residual as it was squared.
+  [[nodiscard]] std::span<const double> judged() const {
+    return weight.empty() ? residual : weighed;
+  }
   /// Number of parameters that were estimated.
   [[nodiscard]] std::size_t parameters() const;
   /// Value of a searched parameter of the process; nothing where it has none.

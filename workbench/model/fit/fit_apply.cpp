@@ -132,7 +132,7 @@ void best_of_grid(const FreeRun& run, std::vector<double>& p, std::size_t i, int
   for (int step = 0; step <= steps; ++step) {
     p[i] = std::lerp(parameter.low, parameter.high, step / static_cast<double>(steps));
     simulate();
-    const double error = dot(run.residual(), run.residual());
+    const double error = dot(run.judged(), run.judged());
     if (error < least) best = p[i];
     least = std::min(least, error);
   }
@@ -194,6 +194,8 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
   }
   const bool here = fitted_to_this(model);
   FreeRun run(base_, blocks_, effects, *work_);
+  // Another recording was made under another load.
+  if (here) run.weigh_by(model.noise);
   std::vector<double> p;
   for (const FreeRun::Slot& slot : run.slots()) {
     const std::string_view name = slot.parameter.name;
@@ -238,6 +240,7 @@ void Fitter::add_loads(const Fit& fit, double factor, std::span<double> signal,
   };
   if (std::none_of(fit.columns.begin(), fit.columns.end(), is_asked_for)) return;
   FreeRun run(base_, blocks_, fit.effects, *work_);
+  run.weigh_by(fit.weight);
   run.run(fit.p);
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     if (!is_asked_for(fit.columns[i])) continue;

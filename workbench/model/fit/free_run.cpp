@@ -202,7 +202,8 @@ double FreeRun::run(std::span<const double> p) {
   solve_behind_rounding(p);
   last_p_.assign(p.begin(), p.end());
   set_aside();
-  solved_ = finite(residual_) ? sum_of_squares(residual_, blocks_->blocks())
+  weigh(residual_, judged_);
+  solved_ = finite(residual_) ? sum_of_squares(judged(), blocks_->blocks())
                               : std::numeric_limits<double>::infinity();
   return *solved_;
 }
@@ -219,7 +220,8 @@ double FreeRun::run_with(std::span<const double> p, std::span<const double> plan
   finish(p);
   last_p_.assign(p.begin(), p.end());
   set_aside();
-  return sum_of_squares(residual_, blocks_->blocks());
+  weigh(residual_, judged_);
+  return sum_of_squares(judged(), blocks_->blocks());
 }
 
 }  // namespace workbench

@@ -85,6 +85,12 @@ class FreeRun {
   [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
   [[nodiscard]] bool integrating() const { return integrating_; }
 
+  /// From now on errors are weighed: the residual is squared behind the filter of that
+  /// noise colour (NoiseColour::a, noise.hpp), and what is solved makes that least.
+  /// Empty: every sample as it is. The simulation stays free of y.
+  void weigh_by(std::vector<double> colour);
+  [[nodiscard]] const std::vector<double>& weight() const { return weight_; }
+
   /// Simulates and solves. Returns the sum of squared errors on the estimation blocks,
   /// infinity where the simulation is not finite. `p` as in slots(), within bounds.
   double run(std::span<const double> p);
@@ -95,6 +101,12 @@ class FreeRun {
 
   /// Of the last run, all samples: y minus the simulation; 0 where samples are left out.
   [[nodiscard]] std::span<const double> residual() const { return residual_; }
+  /// Of the last run, what is squared: residual(), weighed.
+  [[nodiscard]] std::span<const double> judged() const {
+    return weight_.empty() ? residual_ : judged_;
+  }
+  /// Of the last run, column(i) as it enters judged().
+  [[nodiscard]] std::vector<double> judged_column(std::size_t i) const;
   /// Of the last run, y minus the simulation of the samples that are left out.
   [[nodiscard]] std::span<const double> aside() const { return aside_; }
   /// Of the last run.
@@ -144,6 +156,9 @@ class FreeRun {
   [[nodiscard]] bool gain_runs_away() const;
   [[nodiscard]] bool drop_impossible_pipes(std::vector<std::size_t>& active);
   void solve(const std::vector<std::size_t>& active, std::span<const Block> rows);
+  void improve(const std::vector<std::size_t>& active, std::span<const Block> rows);
+  void weigh(std::span<const double> in, std::vector<double>& out) const;
+  [[nodiscard]] double error_on(std::span<const Block> rows);
   void output();
   void cut_off();
   void cut_columns();
@@ -204,6 +219,8 @@ class FreeRun {
   std::vector<double> coefficients_;
   std::vector<double> residual_;
   std::vector<double> aside_;
+  std::vector<double> weight_;
+  std::vector<double> judged_;
   std::vector<Held> held_;
 };
 

@@ -200,21 +200,63 @@ void FreeRun::set_aside() {
   }
 }
 
-void FreeRun::solve(const std::vector<std::size_t>& active, std::span<const Block> rows) {
+void FreeRun::weigh_by(std::vector<double> colour) {
+  solved_.reset();
+  weight_ = std::move(colour);
+}
+
+// Each piece for itself; what its first samples owe to those before it is not known, and
+// they count nothing.
+void FreeRun::weigh(std::span<const double> in, std::vector<double>& out) const {
+  if (weight_.empty()) return;
+  out.assign(in.begin(), in.end());
+  for (const Piece& piece : pieces_) {
+    for (std::size_t j = 1; j < weight_.size(); ++j) {
+      for (std::size_t k = piece.first + j; k < piece.last; ++k) {
+        out[k] += weight_[j] * in[k - j];
+      }
+    }
+    const std::size_t known = std::min(piece.first + weight_.size() - 1, piece.last);
+    for (std::size_t k = piece.first; k < known; ++k) out[k] = 0;
+  }
+}
+
+std::vector<double> FreeRun::judged_column(std::size_t i) const {
+  std::vector<double> out(used_[i]);
+  weigh(used_[i], out);
+  return out;
+}
+
+// What the rows add to the active coefficients.
+void FreeRun::improve(const std::vector<std::size_t>& active,
+                      std::span<const Block> rows) {
   std::vector<std::span<const double>> columns;
   std::vector<SampleRange> extents;
-  for (const std::size_t i : active) {
-    columns.emplace_back(used_[i]);
-    extents.push_back(extents_[i]);
+  std::vector<std::vector<double>> weighed(weight_.empty() ? 0 : active.size());
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    SampleRange extent = extents_[active[i]];
+    if (!weighed.empty()) {
+      weigh(used_[active[i]], weighed[i]);
+      extent.last = std::min(extent.last + weight_.size(), residual_.size());
+    }
+    columns.emplace_back(weighed.empty() ? used_[active[i]] : weighed[i]);
+    extents.push_back(extent);
   }
-  const auto improve = [&] {
-    const std::vector<double> step = least_squares(columns, residual_, rows, extents);
-    for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
-    output();
-  };
+  weigh(residual_, judged_);
+  const std::vector<double> step = least_squares(columns, judged(), rows, extents);
+  for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
+  output();
+}
+
+double FreeRun::error_on(std::span<const Block> rows) {
+  weigh(residual_, judged_);
+  return sum_of_squares(judged(), rows);
+}
+
+void FreeRun::solve(const std::vector<std::size_t>& active, std::span<const Block> rows) {
   if (!ceiling_) {
     output();
-    improve();
+    improve(active, rows);
     return;
   }
   // The cut makes the output piecewise linear in the coefficients: Gauss-Newton steps,
@@ -231,18 +273,17 @@ void FreeRun::solve(const std::vector<std::size_t>& active, std::span<const Bloc
     }
   }
   output();
-  const std::vector<double> step = least_squares(columns, residual_, below, extents);
-  for (std::size_t i = 0; i < active.size(); ++i) coefficients_[active[i]] += step[i];
+  improve(active, below);
   ceiling_ = ceiling;
   output();
-  double best = sum_of_squares(residual_, rows);
+  double best = error_on(rows);
   constexpr int kMostSteps = 4;
   for (int i = 0; i < kMostSteps; ++i) {
     cut_columns();
     const std::vector<double> kept = coefficients_;
     const std::vector<unsigned char> before = free_;
-    improve();
-    const double error = sum_of_squares(residual_, rows);
+    improve(active, rows);
+    const double error = error_on(rows);
     if (!(error < best)) {
       coefficients_ = kept;
       output();

@@ -150,7 +150,7 @@ void differentiate(FreeRun& run, const SearchPoint& at,
     out.jacobian[j].assign(residual.size(), 0.0);
     if (out.fixed[j]) continue;
     for (std::size_t k = 0; k < residual.size(); ++k) {
-      out.jacobian[j][k] = (run.residual()[k] - residual[k]) / step;
+      out.jacobian[j][k] = (run.judged()[k] - residual[k]) / step;
     }
   }
 }
@@ -158,7 +158,7 @@ void differentiate(FreeRun& run, const SearchPoint& at,
 void linearise(FreeRun& run, const SearchPoint& at, const std::vector<std::size_t>& free,
                double jumpy_step, Linearised& out) {
   run.run(at.p);
-  const std::vector<double> residual(run.residual().begin(), run.residual().end());
+  const std::vector<double> residual(run.judged().begin(), run.judged().end());
   differentiate(run, at, free, jumpy_step, residual, out);
   const std::size_t n = free.size();
   out.a.assign(n * n, 0.0);

@@ -135,6 +135,7 @@ Model model_of(const Fitter& fitter, const ToldFit& told) {
                                    -1e300, 1e300});
   }
   model.fitted = fitter.fitted();
+  model.noise = fit.weight;
   return model;
 }
 

@@ -38,7 +38,7 @@ Side probe(FreeRun& run, const Fit& fit, std::size_t slot, double step) {
   Side side;
   side.coordinate = to_search(parameter, p[slot]) - here;
   side.error = run.run(p);
-  side.residual.assign(run.residual().begin(), run.residual().end());
+  side.residual.assign(run.judged().begin(), run.judged().end());
   side.coefficients.assign(run.coefficients().begin(), run.coefficients().end());
   return side;
 }
@@ -129,7 +129,7 @@ std::vector<std::vector<double>> columns_of(const Fitter& fitter, const Fit& fit
   run.run(fit.p);
   std::vector<std::vector<double>> columns;
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
-    columns.emplace_back(run.column(i).begin(), run.column(i).end());
+    columns.push_back(run.judged_column(i));
     keep_estimation(fitter.blocks(), columns.back());
   }
   return columns;
@@ -177,7 +177,7 @@ WithoutBeginning left_of(const Fit& fit, const Situation& situation, const Block
     for (double& value : column) value = -value;
     jacobian.push_back(std::move(column));
   }
-  WithoutBeginning out(jacobian, fit.residual, blocks,
+  WithoutBeginning out(jacobian, fit.judged(), blocks,
                        beginnings(situation.pieces, blocks));
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (std::size_t j = 0; j < line.slots.size(); ++j) {
@@ -190,7 +190,7 @@ WithoutBeginning left_of(const Fit& fit, const Situation& situation, const Block
 // Variance of the noise on the estimation samples, as large as slow averages show it.
 double noise_variance(const Fitter& fitter, const Fit& fit) {
   constexpr double kMostColour = 30;
-  const NoiseColour colour = colour_of(fit.residual);
+  const NoiseColour colour = colour_of(fit.judged());
   double sum = 0;
   for (const double a : colour.a) sum += a;
   const double count = static_cast<double>(fitter.blocks().estimation_samples());
@@ -275,7 +275,8 @@ FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
   const Fit fit = with_held_instants(fitter, told);
   const Situation here = fitter.situation(fit);
   FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
-  const NoiseColour colour = colour_of(fit.residual);
+  run.weigh_by(fit.weight);
+  const NoiseColour colour = colour_of(fit.judged());
   const double noticeable = noticeable_error(colour);
   Linearised line;
   for (std::size_t i = 0; i < fit.p.size(); ++i) {
@@ -340,6 +341,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& told) {
   const Fit fit = with_held_instants(fitter, told);
   const Situation here = fitter.situation(fit);
   FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
+  run.weigh_by(fit.weight);
   run.hold(held_in(fit));
   if (!has_jumpy(run)) return out;
   std::vector<double> scale;

@@ -56,6 +56,22 @@ double score_of(const Fit& fit, const NoiseColour& colour) {
          static_cast<double>(fit.parameters()) * std::log(n);
 }
 
+double rmse_ahead(const Fitter& fitter, const Fit& fit) {
+  const NoiseColour colour = colour_of(fit.residual);
+  const std::vector<double> e = whitened(colour, fit.residual);
+  double sum = 0;
+  double count = 0;
+  for (const Block& block : fitter.blocks().blocks()) {
+    if (block.estimation) continue;
+    for (std::size_t k = std::max(block.first, block.piece + colour.a.size());
+         k < block.last; ++k) {
+      sum += e[k] * e[k];
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
 bool as_good(const Fitter& fitter, const Fit& other, const Fit& best) {
   constexpr double kTellable = 2;  // z that data from `best` would show on average
   const DifferenceTest test =

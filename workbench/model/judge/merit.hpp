@@ -22,6 +22,10 @@ inline constexpr double kTooRich = 20;
 /// less is better.
 [[nodiscard]] double score_of(const Fit& fit, const NoiseColour& colour);
 
+/// Root mean square error one sample ahead on the validation samples: of what the
+/// residual's own past, by the colour of all of it, does not foretell.
+[[nodiscard]] double rmse_ahead(const Fitter& fitter, const Fit& fit);
+
 /// True where the validation samples do not prefer `best` to `other`: what it makes
 /// better is chance, or the two simulations differ by so little that data from `best`
 /// would not tell them apart. What the data then see between them is what both models

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <mutex>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "workbench/model/search/outdone.hpp"
 #include "workbench/model/search/pairs.hpp"
 #include "workbench/model/search/play_instead.hpp"
+#include "workbench/model/search/told_ahead.hpp"
 #include "workbench/model/search/trial.hpp"
 #include "workbench/model/search/triples.hpp"
 #include "workbench/model/search/verdict_on_stems.hpp"
@@ -210,25 +212,22 @@ void better_base(const Fitter& fitter, const std::vector<Trial>& trials, Fit& ba
   }
 }
 
-// (W8) What has many small valleys, as the instant of a load, is told from none by the
-// walk over all parameters: beside one that is fixed the others look surer than they are.
-// Each of several together has to be told, as it is in a model of them.
-// The verdict is asked of a stem alone: a slip that is missed widens what the walk tells.
-void leave_untold_values_open(const Fitter& fitter, std::vector<Trial>& trials) {
-  const auto is_told = [&](const Trial& trial) {
-    const FitIntervals intervals = told_intervals_of(fitter, *trial.fit);
-    return std::ranges::none_of(members_of(trial), [&](const Effect* member) {
-      return holds_off(*trial.fit, intervals, *member);
-    });
-  };
-  const Work::WritingDown writing(fitter.work());
-  fitter.work().for_each(trials.size(), [&](std::size_t i) {
-    Trial& trial = trials[i];
-    const bool by_verdict =
-        trial.partner == nullptr && trial.effect->description().is_stem();
-    if (!accepted(trial) || trial.own || by_verdict || is_told(trial)) return;
-    leave_in_doubt(trial, kUntold);
-  });
+// False where the time was up before it was done: what was there stands as it is.
+bool in_time(const std::function<void()>& part) {
+  try {
+    part();
+  } catch (const OutOfTime&) {
+    return false;
+  }
+  return true;
+}
+
+void heed_verdict(const Fitter& fitter, Identified& identified,
+                  std::vector<Trial>& trials) {
+  const VerdictOnStems verdict(fitter, identified);
+  for (Trial& trial : trials) verdict.refute(trial);
+  verdict.confirm(trials);
+  verdict.mark(trials);
 }
 
 // What was accepted and is not told, for what lies beside it.
@@ -239,6 +238,7 @@ void leave_doubtful_open(const Fitter& fitter, const Fit& base, Told told,
   leave_fitted_only_open(fitter, base, trials);
   leave_outdone_open(trials);
   leave_untold_values_open(fitter, trials);
+  static_cast<void>(in_time([&] { leave_columns_open(fitter, trials); }));
 }
 
 // A pair that failed says nothing that its members do not say, but where it leaves far
@@ -301,10 +301,7 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   const bool blind = told == Told::kNothing || told == Told::kLoads;
   std::vector<Trial> trials =
       screen(fitter, out.base, catalogue, progress, hopeless_above, blind);
-  try {
-    better_base(fitter, trials, out.base);
-  } catch (const OutOfTime&) {  // the base stands as it is
-  }
+  static_cast<void>(in_time([&] { better_base(fitter, trials, out.base); }));
   std::optional<Work::WritingDown> last;
   const auto end_in_time = [&] {
     if (fitter.work().out_of_time()) last.emplace(fitter.work());
@@ -327,26 +324,20 @@ Exploration explore(const Fitter& fitter, const Fit& start, const Catalogue& cat
   if (!last && fitter.affordable() &&
       std::none_of(trials.begin(), trials.end(), leaves_noise) &&
       !is_white(out.base.residual)) {
-    try {
-      add_together(fitter, out.base, hopeless_above, trials);
-    } catch (const OutOfTime&) {  // the single ones stand
-    }
+    static_cast<void>(
+        in_time([&] { add_together(fitter, out.base, hopeless_above, trials); }));
     judge(fitter, out.base, trials);
   }
   if (!last) add_play(fitter, out.base, trials);
   end_in_time();
-  if (!last) {
-    try {
-      const VerdictOnStems verdict(fitter, identified);
-      for (Trial& trial : trials) verdict.refute(trial);
-      verdict.confirm(trials);
-      verdict.mark(trials);
-    } catch (const OutOfTime&) {  // the stems stand as they are
-      end_in_time();
-    }
-  }
+  if (!last && !in_time([&] { heed_verdict(fitter, identified, trials); })) end_in_time();
   leave_doubtful_open(fitter, out.base, told, trials);
-  Trial* const best = choose(fitter, trials);
+  Trial* best = choose(fitter, trials);
+  const bool all = !std::isfinite(hopeless_above) && fitter.affordable();
+  if (!last && best == nullptr && all &&
+      !in_time([&] { best = tell_ahead(fitter, out.base, trials); })) {
+    end_in_time();
+  }
   if (!last && best != nullptr) name_slip(fitter, identified, trials, *best);
   report(fitter, trials, best, !last, seen, blind, out);
   return out;

@@ -269,19 +269,6 @@ bool may_slip(const Fitter& fitter, const Trial& best, const Trial& trial) {
          leaves_slip_open(fitter, *best.fit, *trial.fit);
 }
 
-void name_each_other(const std::vector<Trial*>& group) {
-  if (group.size() < 2) return;
-  for (Trial* member : group) {
-    for (const Trial* other : group) {
-      if (other != member) {
-        member->candidate.indistinguishable_from.emplace_back(other->effect->code());
-      }
-    }
-    const Trial* other = group[0] == member ? group[1] : group[0];
-    member->candidate.would_split = std::string(other->effect->description().split);
-  }
-}
-
 }  // namespace
 
 namespace {
@@ -334,6 +321,19 @@ void name_back(Candidate& other, const Effect& named) {
   }
   other.indistinguishable_from.emplace_back(named.code());
   other.would_split = std::string(named.description().split);
+}
+
+void name_each_other(const std::vector<Trial*>& group) {
+  if (group.size() < 2) return;
+  for (Trial* member : group) {
+    for (const Trial* other : group) {
+      if (other != member) {
+        member->candidate.indistinguishable_from.emplace_back(other->effect->code());
+      }
+    }
+    const Trial* other = group[0] == member ? group[1] : group[0];
+    member->candidate.would_split = std::string(other->effect->description().split);
+  }
 }
 
 Trial* choose(const Fitter& fitter, std::vector<Trial>& trials) {

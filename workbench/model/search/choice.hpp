@@ -20,4 +20,7 @@ void name_beside(Trial& other, Trial& best);
 /// rejected.
 void name_back(Candidate& other, const Effect& named);
 
+/// Each lists all others of the group, the first one first.
+void name_each_other(const std::vector<Trial*>& group);
+
 }  // namespace workbench

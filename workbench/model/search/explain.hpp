@@ -57,6 +57,8 @@ struct Candidate {
   double rmse_validation_after = 0;    ///< equals before where nothing was fitted
   double error_reduction_percent = 0;  ///< of the squared validation error
   double p_value = 1;                  ///< before the correction for many candidates
+  std::optional<AheadErrors> ahead{};  ///< where only these tell it (W44)
+  double nats_ahead = 0;               ///< by which it makes those samples likelier
   std::vector<std::string> indistinguishable_from{};
   std::optional<std::string>
       would_split{};                    ///< the measurement that would tell them apart

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
-#include <stdexcept>
 
 #include "workbench/analysis/uncut_parts.hpp"
 #include "workbench/model/base/shortened.hpp"
@@ -14,7 +12,6 @@
 #include "workbench/model/judge/rivals.hpp"
 #include "workbench/model/search/candidates.hpp"
 #include "workbench/model/search/identified.hpp"
-#include "workbench/model/search/in_step.hpp"
 #include "workbench/model/search/revision.hpp"
 #include "workbench/model/search/step_groups.hpp"
 
@@ -22,98 +19,16 @@ namespace workbench {
 namespace {
 
 constexpr int kMostRevisions = 4;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-const Effect& effect_named(std::string_view code, const Catalogue& catalogue) {
-  const Effect* effect = catalogue.find_asked(code);
-  if (effect == nullptr) {
-    throw std::invalid_argument(catalogue.no_effect(code));
-  }
-  return *effect;
-}
-
-std::vector<const Effect*> effects_named(const std::vector<std::string>& codes,
-                                         const Catalogue& catalogue) {
-  std::vector<const Effect*> effects;
-  for (const std::string& code : codes) {
-    const Effect& effect = effect_named(code, catalogue);
-    if (contains(effects, effect)) {
-      throw std::invalid_argument(code + " is named twice");
-    }
-    effects.push_back(&effect);
-  }
-  return effects;
-}
 
 std::vector<const Effect*> sorted(std::vector<const Effect*> effects) {
   std::sort(effects.begin(), effects.end(), std::less<>());
   return effects;
 }
 
-HistoryStep step_of(const Fitter& fitter, std::string effect, const Fit* before,
-                    const Fit& after) {
-  return {std::move(effect),
-          fitter.recording().name,
-          before != nullptr ? fitter.rmse(*before) : kNone,
-          fitter.rmse(after),
-          before != nullptr ? fitter.rmse_on(*before, false) : kNone,
-          fitter.rmse_on(after, false)};
-}
-
 }  // namespace
 
 bool takes_back(const LadderStep& next, const LadderStep& step) {
   return !step.removed && next.removed && !next.on_the_way && next.effect == step.effect;
-}
-
-FittedModel start_model(const Recording& recording, Column output,
-                        const std::vector<std::string>& with, const Catalogue& catalogue,
-                        const Work& work) {
-  const std::vector<const Effect*> effects =
-      effects_named(with, catalogue.with(recording.loads));
-  const Fitter fitter(recording, output, work);
-  const Fit fit = fitter.start(effects);
-  FittedModel out{model_of(fitter, fit), quality(fitter, fit)};
-  out.model.history.push_back(step_of(fitter, "process", nullptr, fit));
-  return out;
-}
-
-FittedModel add_effect(const Recording& recording, const Model& model,
-                       std::string_view effect, const Catalogue& catalogue,
-                       const Work& work) {
-  const Effect& added = effect_named(effect, catalogue.with(recording.loads));
-  if (model.has(added.code())) {
-    throw std::invalid_argument("the model already has " + std::string(added.code()));
-  }
-  const Fitter fitter(recording, model.output, work);
-  const Fit before = fitter.refine(fitter.apply(model, catalogue));
-  const std::optional<Fit> after = fitter.extend(before, added, Effort::kThorough);
-  if (!after) {
-    throw std::invalid_argument("nothing in " + recording.name + " looks like " +
-                                std::string(effect));
-  }
-  const Fit now = in_step(fitter, before, fitter.reconsider(*after, &added), added);
-  FittedModel out{model_of(fitter, now), quality(fitter, now)};
-  out.model.history = model.history;
-  out.model.history.push_back(step_of(fitter, std::string(added.code()), &before, now));
-  return out;
-}
-
-FittedModel remove_effect(const Recording& recording, const Model& model,
-                          std::string_view effect, const Catalogue& catalogue,
-                          const Work& work) {
-  if (!model.has(effect)) {
-    throw std::invalid_argument("the model has no " + std::string(effect));
-  }
-  const Fitter fitter(recording, model.output, work);
-  const Fit before = fitter.apply(model, catalogue);
-  const auto gone = std::find_if(before.effects.begin(), before.effects.end(),
-                                 [&](const Effect* e) { return e->code() == effect; });
-  const Fit now = fitter.without(before, **gone);
-  FittedModel out{model_of(fitter, now), quality(fitter, now)};
-  out.model.history = model.history;
-  out.model.history.push_back(step_of(fitter, '-' + std::string(effect), &before, now));
-  return out;
 }
 
 namespace {
@@ -142,7 +57,7 @@ class Climb {
       if (step == 0 && found.base.error < fit_.error) begin(found.base);
       fit_ = std::move(found.base);
       last_ = std::move(found.result);
-      const bool is_last = !fitter_.affordable();
+      const bool is_last = !fitter_.affordable() || is_told_ahead(last_);
       if (found.best && step < options_.most_steps) {
         add_best(std::move(*found.best));
         if (is_last) break;
@@ -160,6 +75,7 @@ class Climb {
 
   // A simpler effect at the same place, where the data do not miss the rest.
   void settle() {
+    if (!fit_.weight.empty()) return;  // what tells it is not the free run
     const std::vector<const Effect*> effects = fit_.effects;
     for (const Effect* effect : effects) {
       if (contains(given_, *effect)) continue;
@@ -237,7 +153,26 @@ class Climb {
     }
   }
 
+  [[nodiscard]] static bool is_told_ahead(const ExplainResult& found) {
+    return found.best() != nullptr && found.best()->ahead;
+  }
+  // Beside what only one sample ahead tells, nothing more is told by the free run: it is
+  // the last step, and as it was found.
+  void add_told_ahead(Fit found) {
+    const Candidate best = *last_.best();
+    history_.push_back(step_of(fitter_, best.effect, &fit_, found));
+    note(best.effect, found, false, best.indistinguishable_from);
+    steps_.back().ahead = history_.back().ahead = best.ahead;
+    fit_ = std::move(found);
+    std::erase_if(last_.candidates, [&best](const Candidate& c) {
+      return c.effect == best.effect && c.with.empty();
+    });
+    last_.rmse = fitter_.rmse(fit_);
+    last_.rmse_validation = fitter_.rmse_on(fit_, false);
+  }
+
   void add_best(Fit found) {
+    if (is_told_ahead(last_)) return add_told_ahead(std::move(found));
     const auto steps = static_cast<std::ptrdiff_t>(steps_.size());
     const auto history = static_cast<std::ptrdiff_t>(history_.size());
     const Candidate& best = *last_.best();

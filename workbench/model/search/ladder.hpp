@@ -17,42 +17,15 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "workbench/effects/catalogue.hpp"
 #include "workbench/model/base/model.hpp"
-#include "workbench/model/judge/quality.hpp"
 #include "workbench/model/search/explain.hpp"
+#include "workbench/model/search/one_step.hpp"
 #include "workbench/recording/recording.hpp"
 
 namespace workbench {
-
-/// A model with its effects, fitted to the estimation blocks of the recording.
-struct FittedModel {
-  Model model;
-  FitQuality quality;
-};
-
-/// First-order process, linear valve, no dead time, and the effects of `with`.
-[[nodiscard]] FittedModel start_model(const Recording& recording, Column output,
-                                      const std::vector<std::string>& with = {},
-                                      const Catalogue& catalogue = standard_catalogue(),
-                                      const Work& work = Work::unlimited());
-
-/// `model` with one more effect, everything fitted again. `history` grows by one step.
-[[nodiscard]] FittedModel add_effect(const Recording& recording, const Model& model,
-                                     std::string_view effect,
-                                     const Catalogue& catalogue = standard_catalogue(),
-                                     const Work& work = Work::unlimited());
-
-/// `model` without one of its effects, everything else fitted again. `history` grows by
-/// one step, whose effect is the code after a minus. Throws std::invalid_argument where
-/// the model lacks it.
-[[nodiscard]] FittedModel remove_effect(const Recording& recording, const Model& model,
-                                        std::string_view effect,
-                                        const Catalogue& catalogue = standard_catalogue(),
-                                        const Work& work = Work::unlimited());
 
 /// Called when a step is done: the model it led to, and what was found before it.
 using LadderProgress =
@@ -80,6 +53,7 @@ struct LadderStep {
   /// Group of the effect in the final model, or when it was chosen where it is not in
   /// that or the only one; empty where it stands alone.
   std::vector<std::string> indistinguishable_from;
+  std::optional<AheadErrors> ahead{};  ///< where only these tell the effect (W44)
 };
 
 /// True where `next` takes out again what `step` added, and puts nothing in its place.

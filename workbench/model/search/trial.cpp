@@ -314,4 +314,21 @@ void conclude(const Fitter& fitter, const Fit& base, Trial& trial) {
   }
 }
 
+void leave_untold_values_open(const Fitter& fitter, std::vector<Trial>& trials) {
+  const auto is_told = [&](const Trial& trial) {
+    const FitIntervals intervals = told_intervals_of(fitter, *trial.fit);
+    return std::ranges::none_of(members_of(trial), [&](const Effect* member) {
+      return holds_off(*trial.fit, intervals, *member);
+    });
+  };
+  const Work::WritingDown writing(fitter.work());
+  fitter.work().for_each(trials.size(), [&](std::size_t i) {
+    Trial& trial = trials[i];
+    const bool by_verdict =
+        trial.partner == nullptr && trial.effect->description().is_stem();
+    if (!accepted(trial) || trial.own || by_verdict || is_told(trial)) return;
+    leave_in_doubt(trial, kUntold);
+  });
+}
+
 }  // namespace workbench

@@ -20,6 +20,10 @@ Json candidate_json(const Candidate& c) {
               {"indistinguishable_from", c.indistinguishable_from},
               {"would_split", c.would_split ? Json(*c.would_split) : Json(nullptr)},
               {"evidence", c.evidence}};
+  if (c.ahead) {
+    out["one_sample_ahead"] = ahead_json(*c.ahead);
+    out["one_sample_ahead"]["nats"] = c.nats_ahead;
+  }
   out.update(effect_json(c.effect, c.phenomenological, c.parameters));
   if (c.partners.empty()) return out;
   out["partners"] = Json::array();
@@ -103,6 +107,7 @@ Json ladder_json(const LadderResult& result) {
                      {"rmse", step.rmse},
                      {"rmse_validation", step.rmse_validation},
                      {"indistinguishable_from", step.indistinguishable_from}});
+    if (step.ahead) steps.back()["one_sample_ahead"] = ahead_json(*step.ahead);
   }
   return {{"schema", 1},
           {"steps", steps},
@@ -122,12 +127,14 @@ namespace {
 
 Json last_step_json(const Model& model, std::string_view effect) {
   const HistoryStep& step = model.history.back();
-  return {{"schema", 1},
-          {"effect", effect},
-          {"rmse_before", step.rmse_before},
-          {"rmse_after", step.rmse_after},
-          {"rmse_validation_before", step.rmse_validation_before},
-          {"rmse_validation_after", step.rmse_validation_after}};
+  Json out = {{"schema", 1},
+              {"effect", effect},
+              {"rmse_before", step.rmse_before},
+              {"rmse_after", step.rmse_after},
+              {"rmse_validation_before", step.rmse_validation_before},
+              {"rmse_validation_after", step.rmse_validation_after}};
+  if (step.ahead) out["one_sample_ahead"] = ahead_json(*step.ahead);
+  return out;
 }
 
 }  // namespace

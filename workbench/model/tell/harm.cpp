@@ -9,7 +9,7 @@ const HistoryStep* harm_of(const Model& model, std::string_view effect) {
   const auto step =
       std::find_if(model.history.rbegin(), model.history.rend(),
                    [effect](const HistoryStep& s) { return s.effect == effect; });
-  const bool harmed = step != model.history.rend() &&
+  const bool harmed = step != model.history.rend() && !step->ahead &&
                       step->rmse_validation_after > kMore * step->rmse_validation_before;
   return harmed ? &*step : nullptr;
 }

@@ -135,6 +135,16 @@ Column output_of(const Reader& reader) {
   reader.fail("y or x", workbench::quoted(name));
 }
 
+std::vector<double> colour_of(const Reader& reader) {
+  constexpr std::size_t kMost = 64;
+  std::vector<double> out;
+  reader.each_element([&out](const Reader& one) { out.push_back(one.number()); });
+  if (out.empty() || out.size() > kMost || out[0] != 1) {
+    reader.fail("1 to 64 numbers, the first of them 1", "others");
+  }
+  return out;
+}
+
 EffectTerm term_of(const Reader& reader, const Model& model) {
   EffectTerm term;
   term.effect = reader.at("effect").text();
@@ -177,6 +187,12 @@ Json effect_json(const std::string& effect, bool phenomenological,
   return out;
 }
 
+Json ahead_json(const AheadErrors& errors) {
+  return {{"rmse_before", errors.before},
+          {"rmse_after", errors.after},
+          {"error_reduction_percent", 100 * errors.share()}};
+}
+
 Json term_json(const EffectTerm& term) {
   Json out = {{"effect", term.effect}};
   out.update(effect_json(term.effect, term.phenomenological, term.parameters));
@@ -195,21 +211,24 @@ Json model_json(const Model& model) {
                        {"rmse_after", finite(step.rmse_after)},
                        {"rmse_validation_before", finite(step.rmse_validation_before)},
                        {"rmse_validation_after", finite(step.rmse_validation_after)}});
+    if (step.ahead) history.back()["one_sample_ahead"] = ahead_json(*step.ahead);
   }
-  return {{"schema", kModelSchema},
-          {"kind", kKind},
-          {"output", name_of(model.output)},
-          {"recording",
-           {{"name", model.fitted.name},
-            {"samples", model.fitted.samples},
-            {"sample_period_s", model.fitted.period_s},
-            {"first_u", model.fitted.first_u},
-            {"last_u", model.fitted.last_u},
-            {"fingerprint", model.fitted.fingerprint}}},
-          {"process", json_of(model.process)},
-          {"effects", effects},
-          {"initial_state", json_of(model.initial_state)},
-          {"history", history}};
+  Json out = {{"schema", kModelSchema},
+              {"kind", kKind},
+              {"output", name_of(model.output)},
+              {"recording",
+               {{"name", model.fitted.name},
+                {"samples", model.fitted.samples},
+                {"sample_period_s", model.fitted.period_s},
+                {"first_u", model.fitted.first_u},
+                {"last_u", model.fitted.last_u},
+                {"fingerprint", model.fitted.fingerprint}}},
+              {"process", json_of(model.process)},
+              {"effects", effects},
+              {"initial_state", json_of(model.initial_state)},
+              {"history", history}};
+  if (!model.noise.empty()) out["noise_colour"] = model.noise;
+  return out;
 }
 
 Model parse_model(const std::string& text, const std::string& name) {
@@ -248,7 +267,12 @@ Model parse_model(const std::string& text, const std::string& name) {
                              step.at("rmse_after").number_or(kNone),
                              step.at("rmse_validation_before").number_or(kNone),
                              step.at("rmse_validation_after").number_or(kNone)});
+    if (!step.has("one_sample_ahead")) return;
+    const Reader ahead = step.at("one_sample_ahead");
+    model.history.back().ahead = {ahead.at("rmse_before").number(),
+                                  ahead.at("rmse_after").number()};
   });
+  if (reader.has("noise_colour")) model.noise = colour_of(reader.at("noise_colour"));
   return model;
 }
 

@@ -13,7 +13,8 @@ namespace workbench {
 inline constexpr int kModelSchema = 1;
 
 /// {"schema", "kind", "output", "recording", "process", "effects", "initial_state",
-/// "history"}. Numbers that are not finite become null.
+/// "history"}, and of one fitted under a noise colour {"noise_colour"}. Numbers that are
+/// not finite become null.
 [[nodiscard]] nlohmann::ordered_json model_json(const Model& model);
 
 /// {"name": {"value", "low", "high", "unit", "bounds"}, …}.
@@ -25,6 +26,9 @@ inline constexpr int kModelSchema = 1;
 [[nodiscard]] nlohmann::ordered_json effect_json(
     const std::string& effect, bool phenomenological,
     const std::vector<Parameter>& parameters);
+
+/// {"rmse_before", "rmse_after", "error_reduction_percent"}.
+[[nodiscard]] nlohmann::ordered_json ahead_json(const AheadErrors& errors);
 
 /// One effect of a model: its code, and what stands beside it.
 [[nodiscard]] nlohmann::ordered_json term_json(const EffectTerm& term);

@@ -7,6 +7,7 @@
 #include "support/workbench/setpoint_loop.hpp"
 #include "workbench/effects/effects.hpp"
 #include "workbench/model/base/joined.hpp"
+#include "workbench/model/base/least_squares.hpp"
 #include "workbench/model/base/work.hpp"
 #include "workbench/model/fit/fit.hpp"
 #include "workbench/model/fit/parameter_search.hpp"
@@ -30,6 +31,21 @@ TEST(Fitter, FindsTheTextbookProcess) {
   EXPECT_NEAR(fit.coefficients[0], 2, 0.05);
   EXPECT_NEAR(fitter.rmse(fit), 0.2, 0.02);
   EXPECT_NEAR(fitter.rmse_on(fit, false), 0.2, 0.02);
+}
+
+TEST(Fitter, AFitStaysUnderItsNoiseColour) {
+  const Recording recording = simulated({});
+  const Fitter fitter(recording, Column::y);
+  Fit from = fitter.start({});
+  EXPECT_EQ(from.judged().data(), from.residual.data());
+  from.weight = {1, -0.5};
+  const Fit fit = fitter.refine(from);
+  EXPECT_EQ(fit.weight, from.weight);
+  EXPECT_NEAR(*fit.process_value("first_lag"), 20, 1);
+  EXPECT_NEAR(fit.judged()[500], fit.residual[500] - 0.5 * fit.residual[499], 1e-12);
+  EXPECT_NEAR(fit.error, sum_of_squares(fit.judged(), fitter.blocks().blocks()),
+              1e-9 * fit.error);
+  EXPECT_EQ(model_of(fitter, fit).noise, from.weight);
 }
 
 // On the way up a lag as long as the recording, from a state far away, takes the shape of

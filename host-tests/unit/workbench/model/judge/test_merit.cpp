@@ -27,6 +27,12 @@ TEST_F(Merit, TheRightEffectLowersTheError) {
   EXPECT_LT(score_of(right_, {}), score_of(plain_, {}));
 }
 
+TEST_F(Merit, OneSampleAheadTheErrorIsThatOfTheNoise) {
+  EXPECT_NEAR(rmse_ahead(fitter_, right_), fitter_.rmse_on(right_, false),
+              0.1 * fitter_.rmse_on(right_, false));
+  EXPECT_LT(rmse_ahead(fitter_, plain_), fitter_.rmse_on(plain_, false));
+}
+
 TEST_F(Merit, AnOutputFollowsUByWhatItsLoadsLeave) {
   EXPECT_TRUE(follows_u(fitter_, right_));
   test::SetpointLoop loop;
