@@ -55,7 +55,7 @@ std::string change_text(const HistoryStep& step) {
     ahead = "\n  one sample ahead " + number(step.ahead->before, 4) + " to " +
             number(step.ahead->after, 4) + ", " +
             fall(step.ahead->before, step.ahead->after) +
-            ": the load hides it from the free run";
+            "\n  and running free, where the load hides it:";
   }
   return ahead + "\n  validation error " + number(step.rmse_validation_before, 4) +
          " to " + number(step.rmse_validation_after, 4) + ", " +
