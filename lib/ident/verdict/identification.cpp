@@ -20,8 +20,9 @@ constexpr std::array kSentences = std::to_array<Sentence>({
     {Reason::kSticksDescending,
      "The valve sticks when the controller output falls, not when it rises."},
     {Reason::kSlipUnresolved,
-     "The valve sticks: the loop hunts across its stick band, which play alone could "
-     "not keep up. The slip jump is too small to be measured."},
+     "The valve sticks: the loop hunts across its stick band, which play alone keeps up "
+     "only where the process stores, as a level does. The slip jump is too small to be "
+     "measured."},
     {Reason::kDeadbandOnly,
      "The valve has play: it loses part of each stroke at every reversal, but moves "
      "smoothly after that."},
