@@ -141,13 +141,15 @@ void take_back(const Fitter& fitter, const Ahead& with, const Effect& effect,
 
 // What lies between u and the reading. A stem, or a limit of its speed, shows where it
 // acts, in the free run, too; and what wanders as slowly as the load, as another column,
-// a drift or an integrator's sum does, looks like it by chance one sample ahead, too.
+// a drift or an integrator's sum does, looks like it by chance one sample ahead, too. A
+// stem that sticks makes the output slower one way than the other.
 bool is_asked(const Trial& trial) {
   const Description& effect = trial.effect->description();
   return trial.partner == nullptr && trial.fit && !effect.is_load() &&
          !effect.is_stem() && effect.place != Place::kRate &&
          effect.place != Place::kRecord &&
          trial.effect != &effects::process_integrating() &&
+         trial.effect != &effects::process_directional_lag() &&
          trial.effect != &effects::process_gain_drift();
 }
 
