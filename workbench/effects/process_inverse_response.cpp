@@ -66,7 +66,7 @@ class InverseResponse final : public ShownByMoves {
         step_response_of(s.u, s.y, samples_within(s.period_s, p[0] + p[1]));
     return wrong_way(seen) < kClear
                ? "seen one sample ahead, beside the past of y, it does not go the wrong "
-                 "way: a load that the controller answers looks the same"
+                 "way: a load that a controller answers looks the same"
                : "";
   }
   void form(Reals p, ProcessShape& shape) const override {

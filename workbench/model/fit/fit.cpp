@@ -308,8 +308,12 @@ Fit Fitter::taken_over(Fit other, bool from_elsewhere,
   }
   if (from_elsewhere) other = without_state(std::move(other));
   FreeRun run(base_, blocks_, other.effects, *work_);
-  run.weigh_by(other.weight);
-  SearchPoint point = evaluate(run, carried(run, other, base_));
+  const std::vector<double> start = carried(run, other, base_);
+  if (!other.weight.empty()) {  // that of other samples
+    run.run(start);
+    run.weigh_by(colour_of(run.residual()).a);
+  }
+  SearchPoint point = evaluate(run, start);
   point = descend(run, std::move(point), kIterations, kNarrowStep);
   return found(run, other.effects, std::move(point.p));
 }

@@ -90,7 +90,7 @@ void leave_under_loads(const Fitter& fitter, std::vector<Trial>& trials) {
     leave_in_doubt(
         trial,
         filled("u explains no more than {0} % of the output with it, and loads move the "
-               "rest: where a controller answers loads so large, what the process makes "
+               "rest: if a controller answers loads so large, what the process makes "
                "of u is not told from what the controller makes of y; move u or the "
                "setpoint more, or record the load",
                {number(std::max(100 * share, 0.0), 3)}));
