@@ -314,7 +314,10 @@ Fit Fitter::taken_over(Fit other, bool from_elsewhere,
     run.weigh_by(colour_of(run.residual()).a);
   }
   SearchPoint point = evaluate(run, start);
-  point = descend(run, std::move(point), kIterations, kNarrowStep);
+  point =
+      other.weight.empty()
+          ? descend(run, std::move(point), kIterations, kNarrowStep)
+          : at_deepest_delay(run, search_on(run, std::move(point), Effort::kThorough));
   return found(run, other.effects, std::move(point.p));
 }
 
@@ -323,7 +326,7 @@ Fit Fitter::refine(const Fit& base, std::span<const FreeRun::Held> held) const {
   run.weigh_by(base.weight);
   run.hold(held);
   SearchPoint point = evaluate(run, carried(run, base, base_));
-  point = search_on(run, std::move(point), Effort::kThorough);
+  point = at_deepest_delay(run, search_on(run, std::move(point), Effort::kThorough));
   return found(run, base.effects, std::move(point.p));
 }
 

@@ -1,6 +1,7 @@
 #include "workbench/model/fit/start_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "workbench/model/base/noise.hpp"
 
@@ -107,6 +108,42 @@ SearchPoint thoroughly(FreeRun& run, SearchPoint point) {
 SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort) {
   return off_edges(run, effort == Effort::kScreen ? screened(run, std::move(point))
                                                   : thoroughly(run, std::move(point)));
+}
+
+namespace {
+
+bool is_delay(const SearchedParameter& parameter) {
+  return parameter.unit == "s" && !parameter.logarithmic && !parameter.jumpy &&
+         !parameter.instant && !parameter.initial;
+}
+
+}  // namespace
+
+SearchPoint at_deepest_delay(FreeRun& run, SearchPoint point) {
+  constexpr int kRows = 8;
+  constexpr int kTimes = 3;
+  constexpr int kIterations = 10;
+  if (run.weight().empty()) return point;
+  const double row_s = run.situation().period_s;
+  for (std::size_t i = 0; i < point.p.size(); ++i) {
+    if (!is_delay(run.slots()[i].parameter) ||
+        !FreeRun::is_searched(run.slots(), point.p, i)) {
+      continue;
+    }
+    for (int time = 0; time < kTimes; ++time) {
+      const double here = std::round(point.p[i] / row_s);
+      SearchPoint best = point;
+      for (int row = -kRows; row <= kRows; ++row) {
+        std::vector<double> p = point.p;
+        p[i] = row_s * (here + row);
+        SearchPoint other = evaluate(run, std::move(p));
+        if (other.error < best.error) best = std::move(other);
+      }
+      if (!(best.error < point.error)) break;
+      point = descend(run, std::move(best), kIterations, kNarrowStep);
+    }
+  }
+  return point;
 }
 
 std::optional<std::size_t> first_lag_slot(const FreeRun& run) {

@@ -20,6 +20,12 @@ enum class Effort {
 /// also from valleys around it, as long as what is left is not white.
 [[nodiscard]] SearchPoint search_on(FreeRun& run, SearchPoint point, Effort effort);
 
+/// (W44) To the deepest of the valleys around a point, up to eight rows of the recording
+/// to either side, in each delay that is searched: behind a noise colour the error has
+/// one at every whole row. The point itself where errors are not weighed. Cost: 16 runs
+/// for each delay and a descent, three times at most.
+[[nodiscard]] SearchPoint at_deepest_delay(FreeRun& run, SearchPoint point);
+
 /// Slot of the first lag of the process; an integrating one has none.
 [[nodiscard]] std::optional<std::size_t> first_lag_slot(const FreeRun& run);
 
