@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/model/base/noise.hpp"
 #include "workbench/model/base/normal_equations.hpp"
 #include "workbench/model/fit/free_run.hpp"
 
@@ -209,15 +210,14 @@ void FreeRun::weigh_by(std::vector<double> colour) {
 // they count nothing.
 void FreeRun::weigh(std::span<const double> in, std::vector<double>& out) const {
   if (weight_.empty()) return;
-  out.assign(in.begin(), in.end());
+  out.assign(in.size(), 0.0);
+  const std::size_t unknown = weight_.size() - 1;
   for (const Piece& piece : pieces_) {
-    for (std::size_t j = 1; j < weight_.size(); ++j) {
-      for (std::size_t k = piece.first + j; k < piece.last; ++k) {
-        out[k] += weight_[j] * in[k - j];
-      }
-    }
-    const std::size_t known = std::min(piece.first + weight_.size() - 1, piece.last);
-    for (std::size_t k = piece.first; k < known; ++k) out[k] = 0;
+    const std::vector<double> part =
+        whitened({weight_}, in.subspan(piece.first, piece.last - piece.first));
+    if (part.size() <= unknown) continue;
+    std::ranges::copy(std::span(part).subspan(unknown),
+                      out.begin() + static_cast<std::ptrdiff_t>(piece.first + unknown));
   }
 }
 
