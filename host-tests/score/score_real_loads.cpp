@@ -28,6 +28,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
+#include "support/ident/detectable_tally.hpp"
 #include "support/real_loads/loop.hpp"
 
 namespace {
@@ -164,21 +165,17 @@ void print_groups(const char* title, const std::vector<Outcome>& outcomes,
 }
 
 // A band that sticks unseen must not be wider than the one that would have shown.
-void print_detectable(const std::vector<Outcome>& sticking) {
-  int missed = 0;
-  int narrower = 0;
-  int none = 0;
-  for (const Outcome& outcome : sticking) {
-    if (outcome.blamed()) continue;
-    const double told = outcome.found.evidence.ladder.detectable_band;
-    ++missed;
-    none += told > 0 ? 0 : 1;
-    narrower += told > 0 && told < outcome.loop.truth.band_over_swing ? 1 : 0;
+void print_detectable(const std::vector<Outcome>& sticking,
+                      const std::vector<Outcome>& healthy) {
+  workbench::test::DetectableTally tally;
+  for (const std::vector<Outcome>* outcomes : {&sticking, &healthy}) {
+    for (const Outcome& outcome : *outcomes) {
+      const auto& truth = outcome.loop.recorded.truth;
+      tally.add(outcome.found,
+                std::max(truth.stick_band_ascending, truth.stick_band_descending));
+    }
   }
-  std::printf(
-      "\nDetectable band: of %d sticking loops that were not found %d were told one "
-      "narrower than their stick band, %d none\n",
-      missed, narrower, none);
+  tally.print();
 }
 
 // Both strokes of each loop: how far the told band is off, and whether its interval
@@ -281,7 +278,7 @@ int main(int argc, char** argv) {
   print_groups("Sticking, by strokes", sticking,
                [](const Outcome& outcome) { return outcome.loop.truth.strokes; });
   print_groups("Sticking, by historian", sticking, historian_of);
-  print_detectable(sticking);
+  print_detectable(sticking, healthy);
   print_bands(sticking);
   print_groups("Healthy, by cause", healthy,
                [](const Outcome& outcome) { return outcome.loop.recorded.truth.cause; });

@@ -27,6 +27,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
+#include "support/ident/detectable_tally.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/input_error.hpp"
@@ -340,28 +341,15 @@ void score_plant(const std::filesystem::path& folder) {
   std::printf("\n%d of %zu loops right\n", right, loops.size());
 }
 
-/// Of the sticking loops whose band is at least twice the detectable one, how many are
-/// found; of the others too.
 void score_detectable(const std::vector<Outcome>& outcomes) {
-  int wide = 0;
-  int found_wide = 0;
-  int narrow = 0;
-  int found_narrow = 0;
+  workbench::test::DetectableTally tally;
   for (const Outcome& outcome : outcomes) {
     const double band =
         std::max(outcome.truth.stick_band_ascending, outcome.truth.stick_band_descending);
-    if (!(band > 0) || outcome.truth.cause != "stiction") continue;
-    const bool found = outcome.found.verdict == Verdict::kStiction;
-    const double least = outcome.found.detectable_band;
-    const bool is_wide = least > 0 && band >= 2 * least;
-    (is_wide ? wide : narrow) += 1;
-    (is_wide ? found_wide : found_narrow) += found ? 1 : 0;
+    if (band > 0 && outcome.truth.cause != "stiction") continue;
+    tally.add(outcome.found, band);
   }
-  std::printf(
-      "\nDetectable band: %d of %d sticking loops with a band at least twice that wide "
-      "are "
-      "found, %d of %d others\n",
-      found_wide, wide, found_narrow, narrow);
+  tally.print();
 }
 
 void score_sacac(const std::filesystem::path& folder) {

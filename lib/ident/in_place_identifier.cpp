@@ -24,12 +24,11 @@ void InPlaceIdentifier<Real, Capacity>::finish(Reason reason) {
   result_.verdict = verdict_of(reason);
   result_.reason = reason;
   stage_ = Stage::kDone;
-  // Nor is it known what would have shown where most of y comes from elsewhere, or in a
-  // few turns of u: a stem that rests most of the time leaves little; or where y is held
-  // between samples of its own, of which u knows more than the record.
-  const bool unseen = reason == Reason::kModelTooPoor || reason == Reason::kNotTheValve ||
-                      reason == Reason::kTooFewCycles ||
-                      result_.health.held_apart > Real(kHeld) || bends(result_.evidence);
+  // Nor is it known what would have shown in a few turns of u: a stem that rests most of
+  // the time leaves little; or where y is held between samples of its own, of which u
+  // knows more than the record.
+  const bool unseen = reason == Reason::kTooFewCycles ||
+                      result_.health.held_apart > Real(kHeld);
   if (kStemSearch && !is_fault(result_.verdict) && unseen) {
     result_.detectable_band = result_.evidence.ladder.detectable_band = 0;
   }

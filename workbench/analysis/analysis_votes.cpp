@@ -42,6 +42,16 @@ ident::Cause common_cause(const Windows& results) {
   return ident::Cause::kUnknown;
 }
 
+// A band that one window refutes is not in the others; 0: none does.
+double narrowest_detectable(const Windows& results) {
+  double narrowest = 0;
+  for (const Identification* one : results) {
+    const double band = one->detectable_band;
+    if (band > 0 && (narrowest <= 0 || band < narrowest)) narrowest = band;
+  }
+  return narrowest;
+}
+
 // A window in manual, or of a plant that stands, has no say.
 bool rests(const Identification& result) {
   return result.reason == ident::Reason::kConstant;
@@ -149,6 +159,8 @@ void Analysis::vote(const std::vector<Identification>& results) {
     result_.stick_band = told_by_most(agreeing, &Identification::stick_band);
     result_.slip_jump = told_by_most(agreeing, &Identification::slip_jump);
     result_.reason = ident::strokes_that_stick(result_.reason, result_.stick_band);
+  } else {
+    result_.detectable_band = narrowest_detectable(agreeing);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "support/oracle/prediction.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -59,9 +60,11 @@ double PredictionOracle::least_error() const {
   return (target_ - plain_ * best).squaredNorm();
 }
 
-double PredictionOracle::least_error_beside(const std::vector<double>& w) const {
-  Eigen::MatrixXd all(rows_, plain_.cols() + static_cast<Eigen::Index>(bins_.size()));
-  all << plain_, means(w);
+double PredictionOracle::least_error_beside(const std::vector<double>& w,
+                                            std::size_t newest) const {
+  const auto beside = static_cast<Eigen::Index>(std::min(newest, bins_.size()));
+  Eigen::MatrixXd all(rows_, plain_.cols() + beside);
+  all << plain_, means(w).leftCols(beside);
   const Eigen::VectorXd best = all.colPivHouseholderQr().solve(target_);
   return (target_ - all * best).squaredNorm();
 }

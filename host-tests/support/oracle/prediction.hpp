@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,8 +20,10 @@ class PredictionOracle {
 
   /// Squared error of ordinary least squares on the means of lags as they are.
   [[nodiscard]] double least_error() const;
-  /// The same with another signal beside z.
-  [[nodiscard]] double least_error_beside(const std::vector<double>& w) const;
+  /// The same with another signal beside z, or only so many of its newest bins.
+  [[nodiscard]] double least_error_beside(
+      const std::vector<double>& w,
+      std::size_t newest = std::numeric_limits<std::size_t>::max()) const;
   /// Least sum of the squared error and of the share `disbelief` of what each column
   /// takes part with, the columns being differences of neighbouring means.
   [[nodiscard]] double error(double disbelief) const;

@@ -7,8 +7,9 @@
 namespace ident {
 namespace {
 
-// Beside u rungs are tried from a fifth of the swing on, each three quarters wider than
-// the one before.
+// Beside u rungs are tried from a fifth of the swing on, so many above the lowest, each
+// three quarters wider than the one before.
+constexpr int kRungsToFifth = 11;
 constexpr int kRungsBesideU = 4;
 
 }  // namespace
@@ -63,7 +64,8 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
   best_ = cost_ = detectable_ = 0;
   hoped_ = {};
   best_rung_ = -1;
-  planting_ = confirming_ = beside_ = false;
+  part_ = Part::kTries;
+  beside_ = false;
   divides_ = !kSmallSizes && ladder_ == nullptr && bins.data() == kLagBins.data();
   done_ = !passes_.begin(bins);
   if (done_) {
@@ -76,19 +78,19 @@ void ClosedLoopEvidence<Real>::begin(const EvidenceWindow<Real>& window, int par
 template <class Real>
 void ClosedLoopEvidence<Real>::begin_stem(Stem stem) {
   const EvidenceWindow<Real>& window = passes_.window();
-  const bool smooth = kStemSearch && stem == Stem::kSmooth;
   stem_ = stem;
-  if (smooth || stem == Stem::kRung) {
+  if (stem == Stem::kRung) {
     // Not by valve_of: on a device this is the only one, laid in place.
-    const int rung = smooth ? rungs_.first + kRungsToFifth : rung_;
-    valve_ = {rung_valve<Real>(rung, smooth ? 0 : slip_, window.span), window.u[0]};
+    valve_ = {rung_valve<Real>(rung_, slip_, window.span), window.u[0]};
   } else if (stem == Stem::kGiven || stem == Stem::kGivenWithU) {
     valve_ = given_;
   }
   strokes_ = direction_ = 0;
   position_ = window.u[0];
-  if (planting_) {
-    passes_.next(beyond_noise() ? PassOf::kPlantedAndNoise : PassOf::kPlanted);
+  if (part_ == Part::kPlants) {
+    passes_.next(PassOf::kPlanted);
+  } else if (kStemSearch && part_ == Part::kRefutes) {
+    passes_.next(PassOf::kStemAndNewest);
   } else {
     const bool beside = kStemSearch && stem == Stem::kGivenWithU;
     passes_.next(beside ? PassOf::kStemAndU : PassOf::kStem);
@@ -99,9 +101,6 @@ template <class Real>
 Real ClosedLoopEvidence<Real>::move_stem(Real u) {
   if (stem_ == Stem::kRests) {
     return 0;
-  }
-  if (kStemSearch && stem_ == Stem::kFollowsAgain) {
-    return u;
   }
   const Real x = valve_.step(u);
   if (x != position_) {
@@ -123,9 +122,8 @@ void ClosedLoopEvidence<Real>::take_error() {
     return;
   }
   nats_ = passes_.nats();
-  if (kStemSearch && !passes_.follows() &&
-      (stem_ == Stem::kSmooth || stem_ == Stem::kFollowsAgain)) {
-    take_smooth_weights();
+  if (kStemSearch && part_ == Part::kRefutes) {
+    take_refuted();
   } else if (!kSmallSizes && divides_) {
     passes_.divide();
   } else {
@@ -162,9 +160,6 @@ void ClosedLoopEvidence<Real>::take_nats() {
     case Stem::kRung:
       take_rung();
       return;
-    case Stem::kSmooth:
-    case Stem::kFollowsAgain:
-      return;
   }
 }
 
@@ -189,14 +184,14 @@ void ClosedLoopEvidence<Real>::after_u() {
     begin_stem(kStemSearch && beside_ ? Stem::kGivenWithU : Stem::kGiven);
     return;
   }
-  if (kConfirms && !confirming_) {
+  if (kConfirms && part_ == Part::kTries) {
     begin_stem(Stem::kRests);
     return;
   }
   if (!divides_) {
     passes_.sums().solve_weights();
   }
-  planting_ = true;
+  part_ = Part::kPlants;
   rung_ = rungs_.first;
   slip_ = 0;
   next_planted();
@@ -205,8 +200,9 @@ void ClosedLoopEvidence<Real>::after_u() {
 template <class Real>
 bool ClosedLoopEvidence<Real>::step(int budget) {
   for (int left = budget * kUnit; left > 0 && !done_;) {
-    left -= passes_.piece([this](Real u) { return move_stem(u); },
-                          [this] { planting_ ? take_planted() : take_error(); });
+    left -=
+        passes_.piece([this](Real u) { return move_stem(u); },
+                      [this] { part_ == Part::kPlants ? take_planted() : take_error(); });
   }
   return done_;
 }

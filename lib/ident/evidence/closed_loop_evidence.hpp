@@ -18,8 +18,8 @@ namespace ident {
 /// Valves this close to the best, in nats, are as good: half of χ²(1) at 95 %.
 inline constexpr double kWithinNats = 1.92;
 
-/// The detectable band as the weights of the prediction alone would have it, unit of u;
-/// 0: none. Only where stems are searched: elsewhere detectable_band is that.
+/// The band that the weights of the prediction alone say would show (E12), unit of u; 0:
+/// none. Only where stems are searched: elsewhere detectable_band is that.
 template <class Real, bool kKept = kStemSearch>
 struct HopedBand {
   Real hoped_band = 0;
@@ -38,8 +38,8 @@ struct LadderFinding : HopedBand<Real> {
   Real low = 0;               ///< bands that are as good within the chances of 95 %
   Real high = 0;
   int strokes = 0;  ///< how often its stem turned back
-  /// Smallest that would have shown, unit of u; 0: none. Beyond what weights that are
-  /// nothing but noise would plant: (E12).
+  /// Smallest that would have shown, unit of u; 0: none. Where stems are searched it and
+  /// all wider ones are refuted (E25).
   Real detectable_band = 0;
 };
 
@@ -59,17 +59,17 @@ template <class Real>
 using Ladder = std::array<Real, kLadderValves>;
 
 /// Nats by which predicting y one sample ahead from a stem instead of u is better,
-/// m/2·ln(V_u/V_x), m predicted samples: docs/model.md (E10) – (E12). A load of any
+/// m/2·ln(V_u/V_x), m predicted samples: docs/model.md (E10) – (E12), (E25). A load of any
 /// colour, tight tuning, an integrator or a moving setpoint are in the past of y and of
 /// u, which both predictions know; in a loop with a valve that follows u no stem knows
 /// more.
 ///
 /// Life: `start`, then `step` until it says true: every rung of the ladder that fits the
 /// swing, by coarse lags (lag_bins.hpp), under which bands differ most; then, where there
-/// are fine ones, the best of them and the detectable band by these, and of both numbers
-/// of nats the smaller. Or `start_with` and `step`: one valve alone, then others by
-/// `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve has
-/// to speak at most of its strokes: what it says in one place is left out
+/// are fine ones, the best of them and the bands that are refuted by these, and of both
+/// numbers of nats the smaller. Or `start_with` and `step`: one valve alone, then others
+/// by `go_on_with` and `step`, for which less is left to sum. By the finest lags a valve
+/// has to speak at most of its strokes: what it says in one place is left out
 /// (spoken_parts.hpp), not so in the small sizes. Or `start_beside_best` and `step`,
 /// where stems are searched: what a stem tells beside u. The window is thinned out as
 /// stem_passes.hpp says.
@@ -116,9 +116,11 @@ class ClosedLoopEvidence {
   /// Samples that are predicted; 0: the window is too short.
   [[nodiscard]] std::size_t predicted() const { return passes_.rows(); }
 
-  /// Nats that a band has to leave behind to be called detectable: far above what
-  /// decides, since the stem that is tried is never quite the true one.
+  /// Nats that a band has to leave behind to be hoped for: far above what decides, since
+  /// the stem that is tried is never quite the true one.
   static constexpr double kShows = 40;
+  /// Nats by which u has to foretell y better than a stem that is refuted (E25).
+  static constexpr double kRefutes = 20;
   /// What a stem tells beside u by chance, nats: the weights are a dozen, the stem is the
   /// best of a hundred.
   static constexpr double kBends = 20;
@@ -129,12 +131,14 @@ class ClosedLoopEvidence {
     kRung,
     kGiven,
     kGivenWithU,
-    kSmooth,        // for its weights
-    kFollowsAgain,  // after it
   };
-
-  // Rungs from the lowest to one of a fifth of the swing.
-  static constexpr int kRungsToFifth = 11;
+  // What rungs are asked.
+  enum class Part : std::uint8_t {
+    kTries,     // by the ladder's lags
+    kPlants,    // which would show
+    kRefutes,   // which cannot be, by fine lags
+    kConfirms,  // whether the best holds, by fine lags
+  };
 
   // Devices have coarse lags only.
   static constexpr bool kConfirms = kLadderLagBins.size() < kLagBins.size();
@@ -149,15 +153,10 @@ class ClosedLoopEvidence {
   void after_u();
   void take_rung();
   void take_planted();
-  void keep_band(Real band, bool beyond_noise);
-  void take_smooth_weights();
+  void take_refuted();
   void next_rung();
   void confirm();
   void next_planted();
-  // Whether a band that is planted has to show beyond what noise plants, too.
-  [[nodiscard]] bool beyond_noise() const {
-    return kStemSearch && hoped_.hoped_band > Real(0);
-  }
   [[nodiscard]] StickSlipValve<Real> valve_of(int rung, int slip) const {
     return {rung_valve<Real>(rung, slip, passes_.window().span), passes_.window().u[0]};
   }
@@ -184,11 +183,10 @@ class ClosedLoopEvidence {
   int direction_ = 0;  // of its newest move
   Real position_ = 0;
   Stem stem_ = Stem::kRests;
+  Part part_ = Part::kTries;
   bool done_ = true;
-  bool planting_ = false;
-  bool confirming_ = false;  // the best rung, by fine lags
-  bool beside_ = false;      // u stands beside the valve
-  bool divides_ = false;     // into parts
+  bool beside_ = false;   // u stands beside the valve
+  bool divides_ = false;  // into parts
 };
 
 }  // namespace ident

@@ -1,5 +1,5 @@
-// The rungs of the ladder, one after the other: what each says, which band would have
-// shown, and whether the best stands up to fine lags.
+// The rungs of the ladder, one after the other: what each says, which band would show,
+// which are refuted, and whether the best stands up to fine lags.
 #include <algorithm>
 #include <cmath>
 
@@ -9,14 +9,14 @@
 namespace ident {
 namespace {
 
-// Noise is costly to look at: not at every rung.
-constexpr int kRungsOfNoise = 2;
+// From one that is refuted to the next narrower one: fine lags are costly.
+constexpr int kRungsDown = 2;
 
 }  // namespace
 
 template <class Real>
 void ClosedLoopEvidence<Real>::take_rung() {
-  if (kConfirms && confirming_) {
+  if (kConfirms && part_ == Part::kConfirms) {
     best_ = std::min(best_, nats_);
     done_ = true;
     return;
@@ -47,7 +47,7 @@ void ClosedLoopEvidence<Real>::confirm() {
   done_ = true;
   if constexpr (kConfirms) {
     if (best_rung_ >= 0 && passes_.begin(kLagBins)) {
-      confirming_ = true;
+      part_ = Part::kConfirms;
       divides_ = !kSmallSizes;
       done_ = false;
     }
@@ -55,66 +55,50 @@ void ClosedLoopEvidence<Real>::confirm() {
 }
 
 template <class Real>
-void ClosedLoopEvidence<Real>::keep_band(Real band, bool beyond_noise) {
-  if constexpr (kStemSearch) {
-    (beyond_noise ? detectable_ : hoped_.hoped_band) = band;
-    slip_ = 0;
-  } else {
-    detectable_ = band;
-  }
-}
-
-// Of u the newest lags know y between the samples, and their weights are the controller's
-// rather than the valve's. A stem rests through what is small and quick: its weights are
-// what the valve may do. The columns that a band has to leave behind are those of u
-// again.
-template <class Real>
-void ClosedLoopEvidence<Real>::take_smooth_weights() {
-  if (stem_ == Stem::kSmooth) {
-    passes_.sums().solve_weights();
-    begin_stem(Stem::kFollowsAgain);
-    return;
-  }
-  planting_ = true;
-  next_planted();
-}
-
-template <class Real>
 void ClosedLoopEvidence<Real>::take_planted() {
-  const bool noise = beyond_noise();
-  const Real rows = static_cast<Real>(passes_.rows());
-  Real planted = passes_.sums().planted();
-  if (noise) {
-    const Real by_noise = passes_.sums().planted_by_noise() * passes_.error_of_u() / rows;
-    const Real root = std::max(std::sqrt(planted) - std::sqrt(by_noise), Real(0));
-    planted = root * root;
-  }
   const Real nats =
-      rows / Real(2) * elementary::log(Real(1) + planted / passes_.error_of_u());
+      static_cast<Real>(passes_.rows()) / Real(2) *
+      elementary::log(Real(1) + passes_.sums().planted() / passes_.error_of_u());
   if (nats < Real(kShows)) {
     slip_ = 0;
-    rung_ += noise ? kRungsOfNoise : 1;
+    ++rung_;
   } else if (++slip_ == kSlips) {
-    keep_band(rung_band<Real>(rung_, passes_.window().span), noise);
-    if (kStemSearch && !noise) {
-      planting_ = false;
-      begin_stem(Stem::kSmooth);
-      return;
+    const Real band = rung_band<Real>(rung_, passes_.window().span);
+    if constexpr (kStemSearch) {
+      hoped_.hoped_band = band;
+    } else {
+      detectable_ = band;
     }
+    rung_ = rungs_.last + 1;
   }
   next_planted();
 }
 
-// From the narrowest band up, until one shows whatever its slip; from there, where stems
-// are searched, until one does so beyond the noise of the weights.
+// From the narrowest band up, until one shows whatever its slip.
 template <class Real>
 void ClosedLoopEvidence<Real>::next_planted() {
-  if (rung_ > rungs_.last || detectable_ > Real(0)) {
-    planting_ = false;
-    if constexpr (!kConfirms) {
-      begin_stem(Stem::kRests);
-      return;
+  if (rung_ <= rungs_.last) {
+    begin_stem(Stem::kRung);
+    return;
+  }
+  part_ = kStemSearch ? Part::kRefutes : Part::kTries;
+  begin_stem(Stem::kRests);
+}
+
+// (E25) From a stem that never moves down, until one may be the valve's.
+template <class Real>
+void ClosedLoopEvidence<Real>::take_refuted() {
+  const bool refuted = nats_ < -Real(kRefutes);
+  const bool rests = stem_ == Stem::kRests;
+  if (refuted && (rests || ++slip_ == kSlips)) {
+    if (!rests) {
+      detectable_ = rung_band<Real>(rung_, passes_.window().span);
     }
+    rung_ = rests ? rungs_.last : rung_ - kRungsDown;
+    slip_ = 0;
+  }
+  if (!refuted || rung_ < rungs_.first) {
+    part_ = Part::kConfirms;
     rung_ = best_rung_;
     slip_ = best_slip_;
   }
@@ -149,12 +133,12 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   return found;
 }
 
-#define STICKBAND_INSTANTIATE(Real)                              \
-  template void ClosedLoopEvidence<Real>::take_smooth_weights(); \
-  template void ClosedLoopEvidence<Real>::take_rung();           \
-  template void ClosedLoopEvidence<Real>::next_rung();           \
-  template void ClosedLoopEvidence<Real>::take_planted();        \
-  template void ClosedLoopEvidence<Real>::next_planted();        \
+#define STICKBAND_INSTANTIATE(Real)                       \
+  template void ClosedLoopEvidence<Real>::take_rung();    \
+  template void ClosedLoopEvidence<Real>::next_rung();    \
+  template void ClosedLoopEvidence<Real>::take_planted(); \
+  template void ClosedLoopEvidence<Real>::take_refuted(); \
+  template void ClosedLoopEvidence<Real>::next_planted(); \
   template LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const;
 STICKBAND_INSTANTIATE(float)
 STICKBAND_INSTANTIATE(double)

@@ -22,6 +22,7 @@ void OneStepSums<Real>::start(std::span<const LagBin> bins) {
   sums_ = {};
   if constexpr (kStemSearch) {
     more_.second = {};
+    more_.bins_beside = 0;
     more_.setpoint_bins = {};
     more_.bent = false;
   }
@@ -102,8 +103,9 @@ void OneStepSums<Real>::lay_second(std::span<const Real> z, std::size_t t,
     };
     if (more_.bent) {
       lay(bins_, {z}, t, count, rows, column, bent);
-    } else if (!more_.second.values.empty()) {
-      lay_bins(more_.second, t, count, rows, column);
+    } else if (more_.bins_beside > 0) {
+      lay(bins_.first(more_.bins_beside), more_.second, t, count, rows, column,
+          [](Real value) { return value; });
     }
   }
 }
@@ -155,9 +157,11 @@ void OneStepSums<Real>::multiply(const Rows& rows, std::size_t from, std::size_t
 }
 
 template <class Real>
-void OneStepSums<Real>::begin_input(const ThinnedSignal<Real>& second) {
+void OneStepSums<Real>::begin_input(const ThinnedSignal<Real>& second,
+                                    std::size_t newest) {
   if constexpr (kStemSearch) {
     more_.second = second;
+    more_.bins_beside = second.values.empty() ? 0 : std::min(newest, bins_.size());
     more_.bent = false;
   }
   clear_inputs();
@@ -167,6 +171,7 @@ template <class Real>
 void OneStepSums<Real>::begin_bent_input(Real centre) {
   if constexpr (kStemSearch) {
     more_.second = {};
+    more_.bins_beside = bins_.size();
     more_.centre = centre;
     more_.bent = true;
   }
@@ -255,34 +260,9 @@ Real OneStepSums<Real>::error_of(std::span<const Real> y, std::span<const Real> 
 }
 
 template <class Real>
-void OneStepSums<Real>::begin_planted() {
-  planted_ = {};
-  if constexpr (kStemSearch) {
-    more_.noise = {};
-  }
-}
-
-template <class Real>
-void OneStepSums<Real>::add_products(const Row& bins_of_w, const Row& columns_of_z) {
-  if constexpr (kStemSearch) {
-    for (std::size_t b = 0; b < bins_.size(); ++b) {
-      const Real v = bins_of_w[b];
-      Row& with_columns = more_.noise.with_columns[b];
-      Row& with_bins = more_.noise.with_bins[b];
-      for (std::size_t j = 0; j + 1 < columns(); ++j) {
-        with_columns[j] += v * columns_of_z[j];
-      }
-      for (std::size_t c = 0; c <= b; ++c) {
-        with_bins[c] += v * bins_of_w[c];
-      }
-    }
-  }
-}
-
-template <class Real>
 void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal<Real>& z,
                                     std::span<const Real> w, std::size_t first,
-                                    std::size_t last, bool noise) {
+                                    std::size_t last) {
   for (std::size_t begin = first; begin < last; begin += kRowsInBlock) {
     Row block{};
     const std::size_t end = std::min(begin + kRowsInBlock, last);
@@ -306,9 +286,6 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
         for (std::size_t j = 0; j < columns(); ++j) {
           block[j] += parts[k] * rows[k][j];
         }
-        if (noise) {
-          add_products(of_w[k], rows[k]);
-        }
       }
     }
     for (std::size_t j = 0; j < columns(); ++j) {
@@ -317,52 +294,21 @@ void OneStepSums<Real>::add_planted(std::span<const Real> y, const ThinnedSignal
   }
 }
 
-// Forward substitution in the factor of `error`: the shares of the columns in another
-// one, and what they leave of its square.
+// Forward substitution in the factor of `error`: the shares of the columns in what was
+// planted, and what they leave of its square.
 template <class Real>
-Real OneStepSums<Real>::left_of(const Row& products, Real square, Row& shares) const {
+Real OneStepSums<Real>::planted() const {
+  Row shares;
+  Real square = planted_[columns() - 1];
   for (std::size_t i = 0; i + 1 < columns(); ++i) {
-    Real sum = products[i];
+    Real sum = planted_[i];
     for (std::size_t k = 0; k < i; ++k) {
       sum -= factor_[place(i, k)] * shares[k];
     }
     shares[i] = sum * factor_[place(i, i)];
     square -= shares[i] * shares[i];
   }
-  return square;
-}
-
-template <class Real>
-Real OneStepSums<Real>::planted() const {
-  Row shares;
-  return std::max(left_of(planted_, planted_[columns() - 1], shares), Real(0));
-}
-
-// tr(C W), C the covariance of the weights of z, W what the columns leave of the products
-// of w's bins.
-template <class Real>
-Real OneStepSums<Real>::planted_by_noise() const {
-  Real trace = 0;
-  if constexpr (kStemSearch) {
-    std::array<Row, kLagBins.size()> of_w;
-    std::array<Row, kLagBins.size()> of_weight;
-    for (std::size_t b = 0; b < bins_.size(); ++b) {
-      left_of(more_.noise.with_columns[b], Real(0), of_w[b]);
-      Row unit{};
-      unit[outputs() - 1 + b] = 1;
-      left_of(unit, Real(0), of_weight[b]);
-      for (std::size_t c = 0; c <= b; ++c) {
-        Real left = more_.noise.with_bins[b][c];
-        Real covariance = 0;
-        for (std::size_t i = 0; i + 1 < columns(); ++i) {
-          left -= of_w[b][i] * of_w[c][i];
-          covariance += of_weight[b][i] * of_weight[c][i];
-        }
-        trace += (b == c ? Real(1) : Real(2)) * left * covariance;
-      }
-    }
-  }
-  return std::max(trace, Real(0));
+  return std::max(square, Real(0));
 }
 
 template class OneStepSums<float>;

@@ -30,15 +30,15 @@ struct ThinnedSignal {
 /// Life: `start`, `add` over all rows without a z, then for each z `begin_input`, `add`
 /// over the same rows, `error`; where `begin_input` is given a second signal, it stands
 /// beside z, as after `begin_bent_input` its square does.
-/// And, while z is u, `begin_planted`, `add_planted` over the rows, `planted`,
-/// `planted_by_noise`. A row is one predicted sample. The columns are differences of
+/// And, while z is u, `begin_planted`, `add_planted` over the rows, `planted`. A row is
+/// one predicted sample. The columns are differences of
 /// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
 /// 10⁻⁶ of themselves; no column counts for less than that.
 ///
-/// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 1,100 its noise, 39 its
-/// error; beside a setpoint 378, 703, 66, 1,210, 45. `error`: a factorisation of 39
+/// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 39 its error; beside a
+/// setpoint 378, 703, 66, 45. `error`: a factorisation of 39
 /// unknowns, 11,000 multiplications, 17,000 beside a setpoint. (19 bins.)
-/// Memory: 460 numbers in the small sizes, 760 on a bare board, 4,000 where stems are
+/// Memory: 460 numbers in the small sizes, 760 on a bare board, 2,400 where stems are
 /// searched.
 template <class Real>
 class OneStepSums {
@@ -52,9 +52,10 @@ class OneStepSums {
   /// Where stems are searched, right after `start`: a setpoint as long as y times its
   /// thinning, which must outlive the sums, stands beside y.
   void stand_beside(const ThinnedSignal<Real>& setpoint);
-  /// Where stems are searched, and with coarse lags, `second`, which must outlive the
-  /// rows, may stand beside each z.
-  void begin_input(const ThinnedSignal<Real>& second = {});
+  /// Where stems are searched `second`, which must outlive the rows, may stand beside
+  /// each z: with so many of the newest bins, or, with coarse lags, with all.
+  void begin_input(const ThinnedSignal<Real>& second = {},
+                   std::size_t newest = kLagBins.size());
   /// Where stems are searched, and with coarse lags: (z − centre)² stands beside z.
   void begin_bent_input(Real centre);
   /// Rows first … last − 1 of y, `first` at least reach(): products with the lags of z
@@ -69,18 +70,12 @@ class OneStepSums {
   /// Sum of the squared errors of some of the rows, with the weights of all.
   [[nodiscard]] Real error_of(std::span<const Real> y, std::span<const Real> z,
                               std::size_t first, std::size_t last) const;
-  void begin_planted();
-  /// As if y had followed a stem x = z + w in z's place: w, the rows as before. With
-  /// `noise`, what planted_by_noise needs, too.
+  void begin_planted() { planted_ = {}; }
+  /// As if y had followed a stem x = z + w in z's place: w, the rows as before.
   void add_planted(std::span<const Real> y, const ThinnedSignal<Real>& z,
-                   std::span<const Real> w, std::size_t first, std::size_t last,
-                   bool noise = false);
+                   std::span<const Real> w, std::size_t first, std::size_t last);
   /// Sum of squares that the prediction from z would have left of w's part in y.
   [[nodiscard]] Real planted() const;
-  /// What of it is expected of weights that are nothing but noise, for errors of variance
-  /// 1: docs/model.md (E12). Where u answers y, its columns hardly differ from those of
-  /// y, and the weights are mostly that. 0 where no stem is searched.
-  [[nodiscard]] Real planted_by_noise() const;
   [[nodiscard]] std::size_t bins() const { return bins_.size(); }
   /// The oldest lag that is looked at, samples.
   [[nodiscard]] std::size_t reach() const {
@@ -106,13 +101,10 @@ class OneStepSums {
     }
   }
   [[nodiscard]] std::size_t columns() const {
-    return outputs() + inputs() * bins_.size();
-  }
-  [[nodiscard]] std::size_t inputs() const {
     if constexpr (kStemSearch) {
-      return more_.second.values.empty() && !more_.bent ? 1 : 2;
+      return outputs() + bins_.size() + more_.bins_beside;
     } else {
-      return 1;
+      return outputs() + bins_.size();
     }
   }
   void clear_inputs();
@@ -128,8 +120,6 @@ class OneStepSums {
                   Rows& rows) const;
   void lay_setpoint(std::size_t t, std::size_t count, Rows& rows,
                     std::size_t column) const;
-  void add_products(const Row& bins_of_w, const Row& columns_of_z);
-  Real left_of(const Row& products, Real square, Row& shares) const;
   static void multiply(const Rows& rows, std::size_t from, std::size_t to,
                        Triangle& block);
 
@@ -141,14 +131,9 @@ class OneStepSums {
   Triangle factor_{};
   Row weights_{};  // of the same without what is predicted
   Row planted_{};  // sums of w's part with each column; its square last
-  // Sums of each bin of w with each column, then with each bin of w.
-  struct Products {
-    std::array<Row, kLagBins.size()> with_columns{};
-    std::array<Row, kLagBins.size()> with_bins{};
-  };
   struct More {
-    Products noise;
     ThinnedSignal<Real> second;
+    std::size_t bins_beside = 0;  // of what stands beside z
     ThinnedSignal<Real> setpoint;
     std::span<const LagBin> setpoint_bins;  // empty: no setpoint
     Real centre = 0;

@@ -12,6 +12,8 @@ namespace {
 // A piece.
 constexpr std::size_t kRowsOfInput = 16;
 constexpr std::size_t kRowsOfPlant = 32;
+// (E25) Lags of u that may know of y what is between the samples.
+constexpr std::size_t kNewestBeside = 2;
 
 // Samples of the window that make one of those that are predicted: fewer where u leaps
 // within them, which predictions by means cannot follow. The small sizes hardly thin.
@@ -66,8 +68,10 @@ void StemPasses<Real, kRowsOfOutput>::begin_rows() {
     const Real sum = std::accumulate(stem().begin(), stem().end(), Real(0));
     sums().begin_bent_input(sum / static_cast<Real>(count_));
   } else {
-    const bool beside = kStemSearch && of_ == PassOf::kStemAndU;
-    sums().begin_input({beside ? window_.u : std::span<const Real>(), thinning_});
+    const bool newest = kStemSearch && of_ == PassOf::kStemAndNewest;
+    const bool beside = newest || (kStemSearch && of_ == PassOf::kStemAndU);
+    sums().begin_input({beside ? window_.u : std::span<const Real>(), thinning_},
+                       newest ? kNewestBeside : kLagBins.size());
   }
 }
 
@@ -91,8 +95,7 @@ int StemPasses<Real, kRowsOfOutput>::sum_some() {
     stage_ = Stage::kOver;
   }
   if (stage == Stage::kPlant) {
-    sums().add_planted(y_, {window_.u, thinning_}, stem(), first, next_,
-                       kStemSearch && of_ == PassOf::kPlantedAndNoise);
+    sums().add_planted(y_, {window_.u, thinning_}, stem(), first, next_);
     return kUnit;
   }
   sums().add(y_, stage == Stage::kOutput ? std::span<const Real>() : stem(), first,

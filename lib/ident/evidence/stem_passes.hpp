@@ -54,11 +54,11 @@ template <class Real>
 
 /// What is summed of a stem (one_step_sums.hpp).
 enum class PassOf : std::uint8_t {
-  kStem,            ///< the stem where u stood
-  kStemAndU,        ///< u beside it
-  kStemAndSquare,   ///< its square beside it
-  kPlanted,         ///< what it lacks of u, planted in y
-  kPlantedAndNoise  ///< and what weights that are noise would plant
+  kStem,           ///< the stem where u stood
+  kStemAndU,       ///< u beside it
+  kStemAndNewest,  ///< only the newest lags of u beside it
+  kStemAndSquare,  ///< its square beside it
+  kPlanted         ///< what it lacks of u, planted in y
 };
 
 /// (E10) One stem after the other, each laid over the window and then summed, in pieces.
@@ -124,9 +124,7 @@ class StemPasses {
   enum class Stage : std::uint8_t { kThin, kOutput, kLay, kInput, kPlant, kParts, kOver };
   static constexpr std::size_t kSamplesOfStem = 1024;  // a piece
 
-  [[nodiscard]] bool plants() const {
-    return of_ == PassOf::kPlanted || of_ == PassOf::kPlantedAndNoise;
-  }
+  [[nodiscard]] bool plants() const { return of_ == PassOf::kPlanted; }
   [[nodiscard]] std::span<Real> stem() const { return window_.scratch.first(count_); }
   void begin_stem() {
     next_ = 0;

@@ -23,8 +23,8 @@ template <class Real>
 /// remembers where a load stands that switches, and the valve follows.
 template <class Real>
 [[nodiscard]] bool needs_u(const Evidence<Real>& evidence);
-/// Whether a stem tells so much beside u that y does not follow from u as the detectable
-/// band (E12) supposes (E17).
+/// Whether a stem tells so much beside u that y does not follow from u as the band
+/// that is hoped for supposes (E12, E17).
 template <class Real>
 [[nodiscard]] bool bends(const Evidence<Real>& evidence);
 /// Whether the lags of one cycle ago foretell y nearly as well as a stem of so many nats.

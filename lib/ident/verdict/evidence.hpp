@@ -151,9 +151,9 @@ template <class Real>
   return std::max(nats_of_stems(e, Real(0)), e.ladder.nats);
 }
 
-/// The smaller of the band that would have shown one sample ahead, or that is only
-/// `hoped` for (E12), and of the one that is excluded, over the usual swing of u; 0:
-/// neither is known.
+/// The smaller of the band that is refuted one sample ahead (E25), or that is only
+/// `hoped` for (E12), and of the one that is excluded running free (E21), over the usual
+/// swing of u; 0: neither is known.
 template <class Real>
 [[nodiscard]] Real shown_or_excluded(const Evidence<Real>& e, bool hoped) {
   const Real ahead = hoped ? Real(e.ladder.hoped_band) : e.ladder.detectable_band;

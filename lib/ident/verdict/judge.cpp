@@ -181,6 +181,14 @@ bool ladder_sticks(const Evidence<Real>& e) {
          exact(e.ladder.band) > kLeastBand && exact(e.ladder.band) < kWidestBand;
 }
 
+// Whether, of a linear valve, nothing speaks for another one though it would have shown.
+template <class Real>
+bool nothing_would_hide(const Evidence<Real>& e) {
+  const Threshold shown = exact(e.ladder.detectable_band);
+  return kStemSearch && is_weighed(e) && e.form == ValveForm::kLinear && shown > 0 &&
+         shown <= kHidden && exact(best_nats(e)) <= 0;
+}
+
 // What no evidence for sticking means.
 template <class Real>
 Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
@@ -194,6 +202,9 @@ Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   const bool few = e.reversals < kFiveCycles;
   if (few && !(kStemSearch && e.by_hand && e.reversals > 1)) {
     return Reason::kTooFewCycles;
+  }
+  if (!few && nothing_would_hide(e)) {
+    return poor && oscillates ? Reason::kNotTheValve : Reason::kLinearExplains;
   }
   if (poor && !oscillates) {
     return Reason::kModelTooPoor;
@@ -251,14 +262,6 @@ Reason judge_valve(const Evidence<Real>& e, bool oscillates) {
     default:
       return Reason::kSticksBothStrokes;
   }
-}
-
-// Whether, of a linear valve, nothing speaks for another one though it would have shown.
-template <class Real>
-bool nothing_would_hide(const Evidence<Real>& e) {
-  const Threshold shown = exact(e.ladder.detectable_band);
-  return kStemSearch && is_weighed(e) && e.form == ValveForm::kLinear && shown > 0 &&
-         shown <= kHidden && exact(best_nats(e)) <= 0;
 }
 
 // What the record itself allows to be said.

@@ -177,6 +177,30 @@ TEST(OneStepSums, PutASecondSignalBesideTheFirst) {
   EXPECT_NEAR(sums.error() / alone, 1, 1e-12);
 }
 
+// By fine lags, too.
+TEST(OneStepSums, PutOnlyTheNewestLagsOfASecondSignalBesideTheFirst) {
+  if constexpr (!kStemSearch) {
+    GTEST_SKIP() << "no second signal in these sizes";
+  }
+  const Problem of_z = rough(6, 700);
+  const Problem of_w = rough(7, 700);
+  Signal y = of_z.y;
+  for (std::size_t t = 0; t < y.size(); ++t) {
+    y[t] += of_w.y[t];
+  }
+  for (const std::size_t bins : {12u, 19u}) {
+    const test::PredictionOracle oracle(y, of_z.z, lags(bins));
+    OneStepSums<double> sums;
+    sums.start(lags(bins));
+    sum(sums, y, of_z.z, 64);
+    for (const std::size_t newest : {1u, 2u}) {
+      sums.begin_input({of_w.z}, newest);
+      sums.add(y, of_z.z, sums.reach(), y.size());
+      EXPECT_NEAR(sums.error() / oracle.least_error_beside(of_w.z, newest), 1, 2e-3);
+    }
+  }
+}
+
 TEST(OneStepSums, PutTheSquareOfASignalBesideIt) {
   const Problem problem = rough(6, 700);
   Signal square = problem.z;
@@ -247,33 +271,6 @@ TEST(OneStepSums, TellWhatAPlantedStemWouldLeave) {
       }
     }
   }
-}
-
-// What weights that are nothing but noise plant, on the average.
-TEST(OneStepSums, TellWhatNoiseAloneWouldPlant) {
-  if constexpr (!kStemSearch) {
-    GTEST_SKIP() << "no stem is searched in these sizes";
-  }
-  constexpr int kTrials = 30;
-  double planted = 0;
-  double expected = 0;
-  for (std::uint64_t seed = 100; seed < 100 + kTrials; ++seed) {
-    Random random(seed);
-    const Signal y = noise(random, 900);
-    const Signal z = smoothed(random, 900, 0.9);
-    const Signal w = smoothed(random, 900, 0.5);
-    OneStepSums<double> sums;
-    sums.start(lags(12));
-    sum(sums, y, z, 64);
-    const double rows = static_cast<double>(y.size() - sums.reach());
-    const double variance = sums.error() / rows;
-    sums.solve_weights();
-    sums.begin_planted();
-    sums.add_planted(y, {z}, w, sums.reach(), y.size(), true);
-    planted += sums.planted();
-    expected += variance * sums.planted_by_noise();
-  }
-  EXPECT_NEAR(planted / expected, 1, 0.25);
 }
 
 // A part that z itself has leaves nothing but the disbelief.

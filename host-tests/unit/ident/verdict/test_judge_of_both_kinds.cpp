@@ -487,9 +487,14 @@ TEST(JudgeOfBothKinds, ARungsBandIsComparedWithTheStepOfU) {
 }
 
 TEST(JudgeOfBothKinds, SaysOfALoopThatDoesNotOscillateThatTheModelIsTooPoor) {
-  expect(judged(
-             following(), [](auto& e) { e.fit_percent = 5; }, false),
-         Reason::kModelTooPoor);
+  for (const double detectable : {0.0, 0.35, 0.36}) {
+    Evidence<double> e = following();
+    e.fit_percent = 5;
+    e.ladder.detectable_band = detectable;
+    const auto as_it_is = [](auto&) {};
+    expect(judged(e, as_it_is, false),
+           detectable == 0.35 ? Reason::kLinearExplains : Reason::kModelTooPoor);
+  }
 }
 
 }  // namespace

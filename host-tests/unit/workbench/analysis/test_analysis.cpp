@@ -120,6 +120,27 @@ TEST(Analysis, WindowsThatOverlapCountWhatIsNew) {
   EXPECT_LT(analysis.pooled().nats, 1.3 * std::max(windows[0].nats, windows[1].nats));
 }
 
+// It is one valve: a band that one recording refutes is not in the others.
+TEST(Analysis, TheNarrowestBandThatAnyRecordingRefutesIsTold) {
+  std::vector<Recording> recordings;
+  double narrowest = 0;
+  double widest = 0;
+  for (int seed = 1; seed < 20 && !(narrowest < 0.7 * widest); ++seed) {
+    const Recording one = joined_copies("tight-tuning", 1, seed);
+    const auto alone = Analysis(one).result();
+    const double band = alone.detectable_band;
+    if (alone.verdict != ident::Verdict::kNoStiction || !(band > 0)) continue;
+    narrowest = recordings.empty() ? band : std::min(narrowest, band);
+    widest = std::max(widest, band);
+    recordings.insert(recordings.begin(), one);
+  }
+  ASSERT_LT(narrowest, 0.7 * widest);
+  const Analysis together(recordings);
+  ASSERT_EQ(together.result().verdict, ident::Verdict::kNoStiction);
+  // In steps of what all of u moves by.
+  EXPECT_NEAR(together.result().detectable_band, narrowest, 0.15 * narrowest);
+}
+
 // Of the same valve in other units of u the stick band is three times as wide.
 TEST(Analysis, NoCommonBandOfRecordingsThatExcludeEachOther) {
   const Recording one = joined_copies("paper-example-1", 1);

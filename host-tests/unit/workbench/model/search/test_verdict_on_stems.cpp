@@ -71,7 +71,9 @@ TEST(VerdictOnStems, RefutesEveryBandWhereTheClosestStemForetellsNothing) {
 }
 
 TEST(VerdictOnStems, RefutesAStemWhereNoneIsCloserThanALinearProcess) {
-  const Recording recording = simulated({});
+  SetpointLoop loop;
+  loop.samples = 300;
+  const Recording recording = simulated(loop);
   const Fitter fitter(recording, Column::y);
   Identified identified({recording});
   ASSERT_EQ(identified.result({}).verdict, ident::Verdict::kUndecided);
