@@ -491,9 +491,8 @@ TEST(JudgeOfBothKinds, SaysOfALoopThatDoesNotOscillateThatTheModelIsTooPoor) {
     Evidence<double> e = following();
     e.fit_percent = 5;
     e.ladder.detectable_band = detectable;
-    const auto as_it_is = [](auto&) {};
-    expect(judged(e, as_it_is, false),
-           detectable == 0.35 ? Reason::kLinearExplains : Reason::kModelTooPoor);
+    const bool refuted = detectable == 0.35;
+    expect(judge(e, false), refuted ? Reason::kLinearExplains : Reason::kModelTooPoor);
   }
 }
 
