@@ -199,6 +199,14 @@ void say_why_it_stays(const ModelReport& report, std::vector<Remark>& remarks) {
   }
 }
 
+// From what to what its error one sample ahead went.
+std::string ahead_cell(const HistoryStep& step) {
+  if (!step.ahead) return "";
+  const auto [before, after] = *step.ahead;
+  return filled("{0} to {1}, {2}",
+                {number(before, 4), number(after, 4), fall(before, after)});
+}
+
 // The row above the parameters of an effect.
 std::string_view remark_on(const EffectTerm& term) {
   if (term.phenomenological) {
@@ -293,9 +301,12 @@ std::string model_tiles(const ModelReport& report) {
 }
 
 std::string step_table(const Model& model) {
+  const bool any_ahead = std::ranges::any_of(
+      model.history, [](const HistoryStep& step) { return step.ahead.has_value(); });
   std::string out =
       "<div class=\"scroll\"><table><tr><th>step</th><th>validation error</th>"
-      "<th>change</th></tr>";
+      "<th>change</th>";
+  out += any_ahead ? "<th>one sample ahead</th></tr>" : "</tr>";
   std::string recording;
   double before = 0;
   for (const HistoryStep& step : model.history) {
@@ -311,9 +322,18 @@ std::string step_table(const Model& model) {
     const double now = step.rmse_validation_after;
     const std::string change = fall(std::exchange(before, now), now);
     out += "<tr><td>" + escaped(name) + "</td><td>" + number(now, 4) + "</td><td>" +
-           (change.empty() ? "–" : change) + "</td></tr>";
+           (change.empty() ? "–" : change) + "</td>";
+    if (any_ahead) out += "<td>" + ahead_cell(step) + "</td>";
+    out += "</tr>";
   }
-  return model.history.empty() ? "" : out + "</table></div>\n";
+  if (model.history.empty()) return "";
+  out += "</table></div>\n";
+  if (any_ahead) {
+    out +=
+        "<p>Running free, a load hides what tells itself one sample ahead: there the "
+        "error says little of it, and may rise.</p>\n";
+  }
+  return out;
 }
 
 std::string candidate_list(const ExplainResult& result) {

@@ -96,9 +96,22 @@ function showCandidates(parts, state, add, preview) {
 const codeButton = (codes, text, className, run) => button(text,
   () => run(codes, titlesOf(codes)), {className, ariaLabel: `${text}: ${titlesOf(codes)}`});
 
+// What a load hides running free: the validation error says little of it, and may rise.
+function sayToldAhead(title, {rmse_before, rmse_after}, {rmse_validation_before, rmse_validation_after}) {
+  $('added').className = 'good';
+  $('added').textContent = say('{0} added: one sample ahead the error falls from {1} to {2}, by {3} %. Running free, where a load hides it, the validation error goes from {4} to {5}.',
+    capital(title), number(rmse_before), number(rmse_after), number(100 * (1 - rmse_after / rmse_before)),
+    number(rmse_validation_before), number(rmse_validation_after));
+  $('added').hidden = false;
+}
+
 // Says once what the last addition, or the last fit from values set by hand, brought.
 export function showFall(before, model) {
-  const fitted = before.together && model.history.at(-1);
+  const step = model.history.at(-1);
+  if (before.title && !before.removed && step?.one_sample_ahead) {
+    return sayToldAhead(before.title, step.one_sample_ahead, step);
+  }
+  const fitted = before.together && step;
   if (fitted) before.rmse = fitted.rmse_validation_before;
   const after = model.rmse_validation, percent = 100 * (1 - after / before.rmse);
   const change = Math.abs(percent) < 1 ? say('hardly a change')

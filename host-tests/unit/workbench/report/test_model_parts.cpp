@@ -57,6 +57,17 @@ TEST_F(ModelParts, SayWhatWouldTellAGroupApart) {
   EXPECT_TRUE(part_says(verdict, "log the stem position"));
 }
 
+TEST_F(ModelParts, TellBothErrorsOfAStepThatALoadHides) {
+  EXPECT_FALSE(part_says(step_table(model_), "one sample ahead"));
+  Model model = model_;
+  model.history.push_back({"process.dead_time", recording_.name, 2, 2.1, 2, 2.1});
+  model.history.back().ahead = AheadErrors{1.5, 1.2};
+  const std::string table = step_table(model);
+  EXPECT_TRUE(part_says(table, "<th>one sample ahead</th>"));
+  EXPECT_TRUE(part_says(table, "1.5 to 1.2, "));
+  EXPECT_TRUE(part_says(table, "Running free, a load hides"));
+}
+
 TEST_F(ModelParts, SayWhyALargerEffectIsNotTheClosest) {
   ExplainResult result;
   result.candidates = {candidate("valve.stiction", CandidateStatus::kUndecided),

@@ -275,6 +275,7 @@ export default {
   'Stick band, closing': 'Haftband, schließend',
   'Stick band, opening': 'Haftband, öffnend',
   'Take them in again': 'Wieder dazunehmen',
+  '{0} added: one sample ahead the error falls from {1} to {2}, by {3} %. Running free, where a load hides it, the validation error goes from {4} to {5}.': '{0} hinzugefügt: Einen Abtastschritt voraus fällt der Fehler von {1} auf {2}, um {3} %. Frei simuliert, wo eine Last ihn verdeckt, geht der Validierungsfehler von {4} auf {5}.',
   'The fitted samples agree better, the others do not: Undo brings back what was before.': 'Die angepassten Werte stimmen besser, die anderen nicht: Rückgängig bringt das Vorige zurück.',
   'the model': 'das Modell',
   'The result is the same; with an answer the verdict speaks of opening and closing instead of ascending and descending strokes.': 'Das Ergebnis ist dasselbe; mit einer Antwort spricht das Urteil von Öffnen und Schließen statt von steigendem und fallendem Hub.',
