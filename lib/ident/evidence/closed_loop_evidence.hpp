@@ -59,9 +59,9 @@ template <class Real>
 using Ladder = std::array<Real, kLadderValves>;
 
 /// Nats by which predicting y one sample ahead from a stem instead of u is better,
-/// m/2·ln(V_u/V_x), m predicted samples: docs/model.md (E10) – (E12), (E25). A load of any
-/// colour, tight tuning, an integrator or a moving setpoint are in the past of y and of
-/// u, which both predictions know; in a loop with a valve that follows u no stem knows
+/// m/2·ln(V_u/V_x), m predicted samples: docs/model.md (E10) – (E12), (E25). A load of
+/// any colour, tight tuning, an integrator or a moving setpoint are in the past of y and
+/// of u, which both predictions know; in a loop with a valve that follows u no stem knows
 /// more.
 ///
 /// Life: `start`, then `step` until it says true: every rung of the ladder that fits the
@@ -154,6 +154,7 @@ class ClosedLoopEvidence {
   void take_rung();
   void take_planted();
   void take_refuted();
+  void confirm_best();
   void next_rung();
   void confirm();
   void next_planted();

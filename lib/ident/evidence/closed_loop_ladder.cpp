@@ -11,6 +11,23 @@ namespace {
 
 // From one that is refuted to the next narrower one: fine lags are costly.
 constexpr int kRungsDown = 2;
+// A swing that is hardly more than this share of it in noise turns by noise.
+constexpr double kTurnsByNoise = 0.15;
+
+// Whether u, by its second differences, moves back and forth by noise: then a stick band
+// may be wider than any swing, and u is a record of what y did between the samples.
+template <class Real>
+bool turns_by_noise(const EvidenceWindow<Real>& window) {
+  const std::span<const Real> u = window.u;
+  Real sum = 0;
+  for (std::size_t t = 2; t < u.size(); ++t) {
+    const Real bend = u[t] - Real(2) * u[t - 1] + u[t - 2];
+    sum += bend * bend;
+  }
+  // White noise leaves six times its variance.
+  const Real noise = Real(kTurnsByNoise) * window.swing;
+  return sum > Real(6) * static_cast<Real>(u.size()) * noise * noise;
+}
 
 }  // namespace
 
@@ -81,8 +98,20 @@ void ClosedLoopEvidence<Real>::next_planted() {
     begin_stem(Stem::kRung);
     return;
   }
+  if (kStemSearch && turns_by_noise(passes_.window())) {
+    confirm_best();
+    return;
+  }
   part_ = kStemSearch ? Part::kRefutes : Part::kTries;
   begin_stem(Stem::kRests);
+}
+
+template <class Real>
+void ClosedLoopEvidence<Real>::confirm_best() {
+  part_ = Part::kConfirms;
+  rung_ = best_rung_;
+  slip_ = best_slip_;
+  begin_stem(Stem::kRung);
 }
 
 // (E25) From a stem that never moves down, until one may be the valve's.
@@ -98,9 +127,8 @@ void ClosedLoopEvidence<Real>::take_refuted() {
     slip_ = 0;
   }
   if (!refuted || rung_ < rungs_.first) {
-    part_ = Part::kConfirms;
-    rung_ = best_rung_;
-    slip_ = best_slip_;
+    confirm_best();
+    return;
   }
   begin_stem(Stem::kRung);
 }
@@ -138,6 +166,7 @@ LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const {
   template void ClosedLoopEvidence<Real>::next_rung();    \
   template void ClosedLoopEvidence<Real>::take_planted(); \
   template void ClosedLoopEvidence<Real>::take_refuted(); \
+  template void ClosedLoopEvidence<Real>::confirm_best(); \
   template void ClosedLoopEvidence<Real>::next_planted(); \
   template LadderFinding<Real> ClosedLoopEvidence<Real>::finding() const;
 STICKBAND_INSTANTIATE(float)

@@ -49,6 +49,9 @@ inline constexpr std::span<const LagBin> kLagBins =
 /// Of a setpoint that moves, which stands beside every signal: what u answers, roughly.
 inline constexpr std::array kSetpointLagBins = bins_up_to({1, 2, 4, 8, 20, 60});
 
+/// (E25) So many of the newest lags of u may know of y what the recording lacks.
+inline constexpr std::size_t kNewestBeside = 8;
+
 /// Samples a cycle to which a window is thinned out before it is predicted. A mean of
 /// many smears the slip of a stem; a bare board has no time for more.
 inline constexpr int kEvidencePerCycle = kStemSearch ? 120 : 60;

@@ -2,6 +2,7 @@
 // follows, for u or for any stem in its place.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -44,7 +45,8 @@ template <class Real>
 class OneStepSums {
  public:
   static constexpr std::size_t kColumns =
-      2 * kLagBins.size() + 2 + (kStemSearch ? kSetpointLagBins.size() : 0);
+      2 * kLagBins.size() + 2 +
+      (kStemSearch ? std::max(kSetpointLagBins.size(), kNewestBeside) : 0);
 
   /// Begins anew with these of lag_bins.hpp, at most kLagBins.size(); they must outlive
   /// the sums.

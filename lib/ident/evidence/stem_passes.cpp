@@ -12,8 +12,6 @@ namespace {
 // A piece.
 constexpr std::size_t kRowsOfInput = 16;
 constexpr std::size_t kRowsOfPlant = 32;
-// (E25) Lags of u that may know of y what is between the samples.
-constexpr std::size_t kNewestBeside = 2;
 
 // Samples of the window that make one of those that are predicted: fewer where u leaps
 // within them, which predictions by means cannot follow. The small sizes hardly thin.

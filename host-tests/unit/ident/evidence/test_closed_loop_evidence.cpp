@@ -41,17 +41,19 @@ Signals healthy(std::uint64_t seed, std::size_t samples = 1800, double noise = 0
   return {record.u, record.y};
 }
 
-// u moved by hand, up and down by 0.2 … 1 in 5 … 24 samples; a lag of 10 samples.
+// u moved by hand, up and down by 0.2 … 1 in 5 … 24 samples; a lag of 10 samples behind a
+// dead time.
 Signals by_hand(std::uint64_t seed, std::size_t samples, double noise,
-                const ValveFriction<double>& friction = {}) {
+                const ValveFriction<double>& friction = {}, std::size_t dead_time = 0) {
   test::Random random(seed);
   const test::Window window = test::random_window(random, samples);
   StickSlipValve<double> valve(friction, 0.5);
   Signals out{window.u, {}};
   double state = 0.5;
-  for (const double u : window.u) {
+  for (std::size_t t = 0; t < samples; ++t) {
     out.y.push_back(state + noise * test::normal(random));
-    state = 0.9 * state + 0.1 * valve.step(u);
+    state =
+        0.9 * state + 0.1 * (t < dead_time ? 0.5 : valve.step(window.u[t - dead_time]));
   }
   return out;
 }
@@ -364,11 +366,14 @@ TEST(ClosedLoopEvidence, NeedsNoDoublePrecision) {
   }
 }
 
+/// Longer than the lags of u that may be a record of y (E25).
+constexpr std::size_t kDeadTime = 10;
+
 /// Detectable band in the unit of u, mean of four recordings.
 double detectable_band(std::size_t samples, double noise) {
   double sum = 0;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-    Asked<double> asked(by_hand(seed, samples, noise));
+    Asked<double> asked(by_hand(seed, samples, noise, {}, kDeadTime));
     const double band = asked.in_u(asked.climb().detectable_band);
     EXPECT_GT(band, 0) << samples << " samples, noise " << noise;
     sum += band / 4;
@@ -409,12 +414,12 @@ TEST(ClosedLoopEvidence, ShowsNoBandWhereUTellsNothingOfY) {
 // Where u does not answer y, a valve with such a band is found.
 TEST(ClosedLoopEvidence, FindsABandTwiceAsWideAsTheDetectableOne) {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-    Asked<double> asked(by_hand(seed, 2000, 0.05));
+    Asked<double> asked(by_hand(seed, 2000, 0.05, {}, kDeadTime));
     const double band = 2 * asked.in_u(asked.climb().detectable_band);
     ASSERT_GT(band, 0);
     const ValveFriction<double> friction{0.4 * band, 0.6 * band, 0.6 * band,
                                          SlipMotion::kSlides};
-    Asked<double> sticks(by_hand(seed, 2000, 0.05, friction));
+    Asked<double> sticks(by_hand(seed, 2000, 0.05, friction, kDeadTime));
     const LadderFinding<double> found = sticks.climb();
     EXPECT_GT(found.nats, 40) << seed << ", band " << band;
     EXPECT_NEAR(sticks.in_u(found.band), band, 0.2 * band);
