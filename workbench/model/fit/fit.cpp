@@ -192,8 +192,7 @@ Fit Fitter::taken(FreeRun& run, std::vector<const Effect*> effects,
 }
 
 Fit Fitter::at(const Fit& fit, std::vector<double> p) const {
-  FreeRun run(base_, blocks_, fit.effects, *work_);
-  run.weigh_by(fit.weight);
+  FreeRun run(base_, blocks_, fit.effects, *work_, fit.weight);
   return taken(run, fit.effects, std::move(p));
 }
 
@@ -270,8 +269,7 @@ std::optional<Fit> Fitter::extend(const Fit& base, const Effect& effect, Effort 
                                   double hopeless_above, ScreenedStarts* seen) const {
   std::vector<const Effect*> effects = base.effects;
   effects.push_back(&effect);
-  FreeRun run(base_, blocks_, effects, *work_);
-  run.weigh_by(base.weight);
+  FreeRun run(base_, blocks_, effects, *work_, base.weight);
   ScreenedStarts own;
   if (seen == nullptr) seen = &own;
   if (seen->points.empty()) seen->points = judged_starts(run, base, effect);
@@ -322,8 +320,7 @@ Fit Fitter::taken_over(Fit other, bool from_elsewhere,
 }
 
 Fit Fitter::refine(const Fit& base, std::span<const FreeRun::Held> held) const {
-  FreeRun run(base_, blocks_, base.effects, *work_);
-  run.weigh_by(base.weight);
+  FreeRun run(base_, blocks_, base.effects, *work_, base.weight);
   run.hold(held);
   SearchPoint point = evaluate(run, carried(run, base, base_));
   point = at_deepest_delay(run, search_on(run, std::move(point), Effort::kThorough));
@@ -363,8 +360,7 @@ std::vector<const Effect*> all_but(const Effect& effect, const Fit& fit) {
 
 Fit Fitter::less(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
-  FreeRun run(base_, blocks_, effects, *work_);
-  run.weigh_by(base.weight);
+  FreeRun run(base_, blocks_, effects, *work_, base.weight);
   Fit fit = taken(run, std::move(effects), carried(run, base, base_));
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     for (std::size_t j = 0; j < base.columns.size(); ++j) {
@@ -381,8 +377,7 @@ Fit Fitter::less(const Fit& base, const Effect& effect) const {
 
 Fit Fitter::without(const Fit& base, const Effect& effect) const {
   std::vector<const Effect*> effects = all_but(effect, base);
-  FreeRun run(base_, blocks_, effects, *work_);
-  run.weigh_by(base.weight);
+  FreeRun run(base_, blocks_, effects, *work_, base.weight);
   const std::vector<double> p = carried(run, base, base_);
   SearchPoint best = search_on(run, evaluate(run, p), Effort::kThorough);
   if (const auto slot = first_lag_slot(run)) {

@@ -193,9 +193,9 @@ Fit Fitter::apply(const Model& model, const Catalogue& catalogue) const {
     effects.push_back(effect);
   }
   const bool here = fitted_to_this(model);
-  FreeRun run(base_, blocks_, effects, *work_);
   // Another recording was made under another load.
-  if (here) run.weigh_by(model.noise);
+  FreeRun run(base_, blocks_, effects, *work_,
+              here ? model.noise : std::vector<double>{});
   std::vector<double> p;
   for (const FreeRun::Slot& slot : run.slots()) {
     const std::string_view name = slot.parameter.name;
@@ -239,8 +239,7 @@ void Fitter::add_loads(const Fit& fit, double factor, std::span<double> signal,
            (only == nullptr || column.effect == only);
   };
   if (std::none_of(fit.columns.begin(), fit.columns.end(), is_asked_for)) return;
-  FreeRun run(base_, blocks_, fit.effects, *work_);
-  run.weigh_by(fit.weight);
+  FreeRun run(base_, blocks_, fit.effects, *work_, fit.weight);
   run.run(fit.p);
   for (std::size_t i = 0; i < fit.columns.size(); ++i) {
     if (!is_asked_for(fit.columns[i])) continue;

@@ -14,11 +14,13 @@ bool finite(std::span<const double> values) {
 }  // namespace
 
 FreeRun::FreeRun(const Situation& situation, const Blocks& blocks,
-                 std::vector<const Effect*> effects, const Work& work)
+                 std::vector<const Effect*> effects, const Work& work,
+                 std::vector<double> colour)
     : situation_(&situation),
       blocks_(&blocks),
       work_(&work),
-      effects_(std::move(effects)) {
+      effects_(std::move(effects)),
+      weight_(std::move(colour)) {
   // The order of the parameters does not depend on that in which effects were added.
   std::sort(effects_.begin(), effects_.end(), [](const Effect* a, const Effect* b) {
     const Place here = a->description().place;

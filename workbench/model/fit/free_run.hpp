@@ -64,9 +64,10 @@ class FreeRun {
   }
 
   /// `effects` in any order; all that is referred to must outlive this. Every run asks
-  /// `work` first whether it may go on.
+  /// `work` first whether it may go on. `colour` as for weigh_by.
   FreeRun(const Situation& situation, const Blocks& blocks,
-          std::vector<const Effect*> effects, const Work& work = Work::unlimited());
+          std::vector<const Effect*> effects, const Work& work = Work::unlimited(),
+          std::vector<double> colour = {});
 
   /// A parameter that is given and not estimated: searched or solved, by its name.
   struct Held {

@@ -274,8 +274,7 @@ double least_rise(const Fitter& fitter, const Fit& fit) {
 FitIntervals intervals_of(const Fitter& fitter, const Fit& told) {
   const Fit fit = with_held_instants(fitter, told);
   const Situation here = fitter.situation(fit);
-  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
-  run.weigh_by(fit.weight);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work(), fit.weight);
   const NoiseColour colour = colour_of(fit.judged());
   const double noticeable = noticeable_error(colour);
   Linearised line;
@@ -340,8 +339,7 @@ FitIntervals thorough_intervals_of(const Fitter& fitter, const Fit& told) {
   FitIntervals out = intervals_of(fitter, told);
   const Fit fit = with_held_instants(fitter, told);
   const Situation here = fitter.situation(fit);
-  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work());
-  run.weigh_by(fit.weight);
+  FreeRun run(here, fitter.blocks(), fit.effects, fitter.work(), fit.weight);
   run.hold(held_in(fit));
   if (!has_jumpy(run)) return out;
   std::vector<double> scale;
