@@ -28,8 +28,8 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "support/ident/detectable_tally.hpp"
 #include "support/real_loads/loop.hpp"
+#include "support/workbench/detectable_tally.hpp"
 
 namespace {
 

@@ -27,7 +27,7 @@
 
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
-#include "support/ident/detectable_tally.hpp"
+#include "support/workbench/detectable_tally.hpp"
 #include "workbench/analysis/analysis.hpp"
 #include "workbench/recording/csv.hpp"
 #include "workbench/recording/input_error.hpp"

@@ -31,14 +31,14 @@ struct ThinnedSignal {
 /// Life: `start`, `add` over all rows without a z, then for each z `begin_input`, `add`
 /// over the same rows, `error`; where `begin_input` is given a second signal, it stands
 /// beside z, as after `begin_bent_input` its square does.
-/// And, while z is u, `begin_planted`, `add_planted` over the rows, `planted`. A row is
-/// one predicted sample. The columns are differences of
-/// neighbouring bins and the sums are taken in blocks, so that float keeps them to some
-/// 10⁻⁶ of themselves; no column counts for less than that.
+/// And, while z is u, `begin_planted`, `add_planted` over the rows, `planted`.
+/// A row is one predicted sample. The columns are differences of neighbouring bins and
+/// the sums are taken in blocks, so that float keeps them to some 10⁻⁶ of themselves; no
+/// column counts for less than that.
 ///
 /// Cost a row, multiplications: 231 for y, 589 for z, 60 planted, 39 its error; beside a
-/// setpoint 378, 703, 66, 45. `error`: a factorisation of 39
-/// unknowns, 11,000 multiplications, 17,000 beside a setpoint. (19 bins.)
+/// setpoint 378, 703, 66, 45. `error`: a factorisation of 39 unknowns, 11,000
+/// multiplications, 17,000 beside a setpoint. (19 bins.)
 /// Memory: 460 numbers in the small sizes, 760 on a bare board, 2,400 where stems are
 /// searched.
 template <class Real>

@@ -193,7 +193,7 @@ TEST(OneStepSums, PutOnlyTheNewestLagsOfASecondSignalBesideTheFirst) {
     OneStepSums<double> sums;
     sums.start(lags(bins));
     sum(sums, y, of_z.z, 64);
-    for (const std::size_t newest : {1u, 2u}) {
+    for (const std::size_t newest : {std::size_t{1}, kNewestBeside}) {
       sums.begin_input({of_w.z}, newest);
       sums.add(y, of_z.z, sums.reach(), y.size());
       EXPECT_NEAR(sums.error() / oracle.least_error_beside(of_w.z, newest), 1, 2e-3);

@@ -71,9 +71,7 @@ TEST(VerdictOnStems, RefutesEveryBandWhereTheClosestStemForetellsNothing) {
 }
 
 TEST(VerdictOnStems, RefutesAStemWhereNoneIsCloserThanALinearProcess) {
-  SetpointLoop loop;
-  loop.samples = 300;
-  const Recording recording = simulated(loop);
+  const Recording recording = simulated({});
   const Fitter fitter(recording, Column::y);
   Identified identified({recording});
   ASSERT_EQ(identified.result({}).verdict, ident::Verdict::kUndecided);

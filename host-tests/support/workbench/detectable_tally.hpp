@@ -1,11 +1,11 @@
 // Whether the detectable bands that were told are true, for the scorers.
 #pragma once
 
-#include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "ident/verdict/identification.hpp"
+#include "workbench/recording/statistics.hpp"
 
 namespace workbench::test {
 
@@ -23,18 +23,14 @@ class DetectableTally {
       if (told > 0) shares_.push_back(found.evidence.ladder.detectable_band);
     }
   }
-  void print() {
+  void print() const {
     std::printf(
         "\nDetectable band: told to %d of %d sticking loops, to %d of them one narrower "
         "than theirs; to %zu of %d healthy loops that do not stick",
         told_, sticking_, narrower_, shares_.size(), denied_);
-    if (shares_.empty()) {
-      std::printf("\n");
-      return;
-    }
-    const auto middle = shares_.begin() + static_cast<std::ptrdiff_t>(shares_.size() / 2);
-    std::nth_element(shares_.begin(), middle, shares_.end());
-    std::printf(", median %.0f %% of the swing\n", 100 * *middle);
+    if (!shares_.empty())
+      std::printf(", median %.0f %% of the swing", 100 * median(shares_));
+    std::printf("\n");
   }
 
  private:
