@@ -9,6 +9,7 @@
 #include "ident/base/configurations.hpp"
 #include "ident/identifier.hpp"
 #include "support/ident/expect_verdict.hpp"
+#include "support/ident/problems.hpp"
 #include "support/ident/scene.hpp"
 
 namespace ident {
