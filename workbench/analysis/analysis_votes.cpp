@@ -207,6 +207,7 @@ void Analysis::take_health(const std::vector<Identification>& results) {
     seen.swapped = seen.swapped || one.swapped;
     seen.compressed = seen.compressed || one.compressed;
     seen.points_apart = std::max(seen.points_apart, one.points_apart);
+    seen.cut_off = std::max(seen.cut_off, one.cut_off);
     seen.seam_at = std::max(seen.seam_at, one.seam_at);
   }
   if (seam_at_ > 0) seen.seam_at = seam_at_;

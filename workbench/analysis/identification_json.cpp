@@ -100,6 +100,7 @@ Json rivals_json(const Identification& r) {
   add(r.health.seam_at > 0, "seam");
   add(r.health.swapped, "swapped");
   add(r.health.compressed, "compression");
+  add(r.health.cut_off > 0, "cut_off");
   if (ident::repeats(r.evidence)) {
     out.push_back({{"cause", "repeating_load"}, {"nats", r.evidence.cycle.nats}});
   }

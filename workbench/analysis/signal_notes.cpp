@@ -4,8 +4,10 @@
 #include <span>
 #include <utility>
 
+#include "ident/signal/range_end.hpp"
 #include "ident/signal/signal_shape.hpp"
 #include "workbench/analysis/longest_part.hpp"
+#include "workbench/recording/filled.hpp"
 #include "workbench/recording/output_limit.hpp"
 #include "workbench/recording/resample.hpp"
 #include "workbench/recording/statistics.hpp"
@@ -46,6 +48,17 @@ std::string limit_note(const OutputLimit& limit) {
          "small";
 }
 
+std::string end_note(const ident::RangeEnd& end, bool upper) {
+  return filled(
+      upper ? "the process output is cut off at {0}, its highest reading, {1} times and "
+              "{2} % of all samples: look at the range of the transmitter, and for an "
+              "overflow or an empty vessel"
+            : "the process output is cut off at {0}, its lowest reading, {1} times and "
+              "{2} % of all samples: look at the range of the transmitter, and for an "
+              "overflow or an empty vessel",
+      {number(end.level, 4), std::to_string(end.stays), number(100 * end.share, 2)});
+}
+
 }  // namespace
 
 std::vector<std::string> signal_notes(const RecordingView& recording) {
@@ -65,6 +78,10 @@ std::vector<std::string> signal_notes(const RecordingView& recording) {
   }
   for (const OutputLimit& limit : limits_of_output(recording.u)) {
     notes.push_back(limit_note(limit));
+  }
+  for (const bool upper : {false, true}) {
+    const ident::RangeEnd end = ident::find_range_end(recording.y, upper);
+    if (end.stays > 0) notes.push_back(end_note(end, upper));
   }
   return notes;
 }

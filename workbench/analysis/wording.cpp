@@ -105,6 +105,9 @@ std::string_view advice_on(ident::Reason reason, bool slips) {
       return "Check the transmitter: float or displacer, impulse lines, its own deadband "
              "or damping, and whether a system in between only passes on larger changes. "
              "Then record again.";
+    case Reason::kReadingCutOff:
+      return "Widen the range of the transmitter, or look for an overflow or an empty "
+             "vessel; then record again.";
     case Reason::kSignalsSwapped:
       return "Ask which column is the controller output; name that one u, the process "
              "output y, and identify again.";

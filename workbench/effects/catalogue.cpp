@@ -94,6 +94,7 @@ const Catalogue& standard_catalogue() {
       &process_oscillatory(),     &sensor_sticking(),
       &sensor_spikes(),           &record_compression(),
       &process_directional_lag(), &process_slow_tail(),
+      &sensor_saturation(),
   });
   return catalogue;
 }

@@ -30,6 +30,7 @@ inline constexpr std::string_view kMeasuredLoad = "disturbance.measured:";
 [[nodiscard]] const Effect& sensor_quantisation();
 [[nodiscard]] const Effect& process_inverse_response();
 [[nodiscard]] const Effect& process_oscillatory();
+[[nodiscard]] const Effect& sensor_saturation();
 [[nodiscard]] const Effect& sensor_sticking();
 [[nodiscard]] const Effect& sensor_spikes();
 [[nodiscard]] const Effect& record_compression();

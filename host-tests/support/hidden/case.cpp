@@ -73,10 +73,11 @@ void draw_controller(const CaseKey& key, const Scale& scale, Random& random,
   if (key.excitation != Excitation::kLimitCycle || has(key, Effect::kStiction)) {
     return;
   }
-  const bool many_values =
-      has(key, Effect::kBacklash) || has(key, Effect::kSaturation) ||
-      has(key, Effect::kCharacteristic) || has(key, Effect::kNonlinearGain) ||
-      has(key, Effect::kOverflow) || (key.effects.empty() && random.chance(0.5));
+  const bool many_values = has(key, Effect::kBacklash) || has(key, Effect::kSaturation) ||
+                           has(key, Effect::kCharacteristic) ||
+                           has(key, Effect::kNonlinearGain) ||
+                           has(key, Effect::kOverflow) || has(key, Effect::kReadingEnd) ||
+                           (key.effects.empty() && random.chance(0.5));
   if (many_values) {
     setup.controller.kind = ControllerKind::kFloating;
     setup.controller.ramp_rate = scale.swing_u / (scale.lag_s * random.uniform(0.5, 1.5));

@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, kEffects> kCodes{
     "sensor.quantisation",     "process.inverse_response",
     "process.oscillatory",     "sensor.sticking",
     "sensor.spikes",           "record.compression",
-    "process.directional_lag", "process.slow_tail"};
+    "process.directional_lag", "process.slow_tail",
+    "sensor.saturation"};
 
 /// Stick band S and slip jump J of one stroke: S = static + kinetic of the other stroke.
 void draw_stiction(const Scale& scale, Random& random, const LoopSetup& setup,
@@ -129,6 +130,26 @@ void draw_overflow(const Trace& trace, bool reached, Random& random, LoopSetup& 
   }
 }
 
+void draw_range(const Trace& trace, bool reached, Random& random, LoopSetup& setup) {
+  const std::vector<double> sensed = recorded(setup, trace.sensed);
+  const auto [least, most] = std::minmax_element(sensed.begin(), sensed.end());
+  const bool upper = random.chance(0.5);
+  const double far = upper ? *most : *least;
+  const double near = upper ? *least : *most;
+  double end = far + random.uniform(0.3, 0.8) * (far - near);
+  if (reached && setup.controller.kind == ControllerKind::kPi) {
+    end = near + random.uniform(0.6, 0.9) * (far - near);
+  } else if (reached) {
+    // Beyond the point where the controller turns round, or the loop would stop there.
+    const auto [lowest, highest] =
+        std::minmax_element(setup.setpoint.begin(), setup.setpoint.end());
+    const double turn = setup.rest_y + (upper ? *highest + setup.controller.hysteresis
+                                              : *lowest - setup.controller.hysteresis);
+    end = turn + random.uniform(0.1, 0.6) * (far - turn);
+  }
+  (upper ? setup.reading_high : setup.reading_low) = end;
+}
+
 double standard_deviation(const std::vector<double>& values) {
   double sum = 0;
   double squares = 0;
@@ -156,12 +177,14 @@ std::array<Effect, kEffects> all_effects() {
 
 bool is_limit(Effect effect) {
   return effect == Effect::kSaturation || effect == Effect::kRateLimit ||
-         effect == Effect::kOverflow || effect == Effect::kQuantisation;
+         effect == Effect::kOverflow || effect == Effect::kQuantisation ||
+         effect == Effect::kReadingEnd;
 }
 
 bool is_recorded(Effect effect) {
   return effect == Effect::kSticking || effect == Effect::kSpikes ||
-         effect == Effect::kCompression || effect == Effect::kQuantisation;
+         effect == Effect::kCompression || effect == Effect::kQuantisation ||
+         effect == Effect::kReadingEnd;
 }
 
 void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& setup) {
@@ -248,6 +271,7 @@ void draw_effect(Effect effect, const Scale& scale, Random& random, LoopSetup& s
     case Effect::kRateLimit:
     case Effect::kOverflow:
     case Effect::kQuantisation:
+    case Effect::kReadingEnd:
       break;  // draw_limit
   }
 }
@@ -260,6 +284,8 @@ void draw_limit(Effect effect, const Trace& trace, bool reached, Random& random,
     draw_rate_limit(trace, reached, random, setup);
   } else if (effect == Effect::kOverflow) {
     draw_overflow(trace, reached, random, setup);
+  } else if (effect == Effect::kReadingEnd) {
+    draw_range(trace, reached, random, setup);
   } else if (effect == Effect::kQuantisation) {
     setup.quantum =
         random.uniform(0.3, 1.0) * standard_deviation(recorded(setup, trace.sensed));
@@ -344,6 +370,10 @@ LoopSetup without(const LoopSetup& setup, Effect effect) {
     case Effect::kSlowTail:
       rest.process.tail_share = 0;
       break;
+    case Effect::kReadingEnd:
+      rest.reading_low = -kUnlimited;
+      rest.reading_high = kUnlimited;
+      break;
   }
   return rest;
 }
@@ -359,6 +389,8 @@ int events_of(Effect effect, const LoopSetup& setup, const Trace& trace) {
       return trace.rate_limited;
     case Effect::kOverflow:
       return trace.overflows;
+    case Effect::kReadingEnd:
+      return trace.cut_off;
     default:
       return static_cast<int>(setup.samples);
   }
@@ -431,6 +463,10 @@ std::vector<TrueParameter> true_parameters(Effect effect, const LoopSetup& setup
     case Effect::kSlowTail:
       add("tail_share", setup.process.tail_share);
       add("tail_lag", setup.process.tail_lag_s);
+      break;
+    case Effect::kReadingEnd:
+      add("lower_end", setup.reading_low);
+      add("upper_end", setup.reading_high);
       break;
     default:
       break;  // lags are interchangeable, the rest depends on the form of the model

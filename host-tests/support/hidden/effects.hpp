@@ -38,8 +38,9 @@ enum class Effect {
   kCompression,
   kDirectionalLag,
   kSlowTail,
+  kReadingEnd,
 };
-inline constexpr int kEffects = 24;
+inline constexpr int kEffects = 25;
 
 /// Code of the contract: "valve.stiction".
 [[nodiscard]] std::string_view code_of(Effect effect);

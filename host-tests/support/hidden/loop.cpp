@@ -119,6 +119,7 @@ Trace run_loop(const LoopSetup& setup, const std::vector<double>* imposed_u) {
   ValveEvents before;
   int overflows_before = 0;
   bool held_back = false;
+  bool was_cut_off = false;
   for (std::size_t k = 0; k < n; ++k) {
     if (k == setup.warm_up) {
       before = valve.events();
@@ -130,7 +131,12 @@ Trace run_loop(const LoopSetup& setup, const std::vector<double>* imposed_u) {
     const double reading =
         trace.y.empty() ? sensed + noise
                         : held(sensed + noise, setup.sticking_band, trace.y.back());
-    const double y = quantise(reading + spike, setup.quantum);
+    const double whole = reading + spike;
+    const double inside = std::clamp(whole, setup.reading_low, setup.reading_high);
+    const double y = quantise(inside, setup.quantum);
+    const bool cut_off = inside != whole;
+    trace.cut_off += k >= setup.warm_up && cut_off && !was_cut_off ? 1 : 0;
+    was_cut_off = cut_off;
     const double sp = setup.rest_y + setup.setpoint[k];
     const double u = imposed_u != nullptr ? (*imposed_u)[k] : controller.step(sp - y);
     trace.u.push_back(u);

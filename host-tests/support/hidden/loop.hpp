@@ -57,9 +57,11 @@ struct LoopSetup {
   double quantum = 0;          ///< resolution of the recorded y; 0 for none
   double sticking_band = 0;    ///< the reading follows what is further off than this
   std::vector<double> spikes;  ///< added to single readings; may be absent
-  double compression = 0;      ///< tolerance of the historian; 0 for none
-  bool holds_stored = false;   ///< it holds what it stored; else straight lines
-  double noise_std = 0;        ///< of the measurement, before the quantisation; y
+  double reading_low = -kUnlimited;  ///< ends of the range of the sensor; y
+  double reading_high = kUnlimited;
+  double compression = 0;     ///< tolerance of the historian; 0 for none
+  bool holds_stored = false;  ///< it holds what it stored; else straight lines
+  double noise_std = 0;       ///< of the measurement, before the quantisation; y
   ControllerSettings controller;
   /// Deviation from rest_y and standard normal draws, one for each sample, warm-up
   /// included; noise may be absent.
@@ -78,6 +80,7 @@ struct Trace {
   ValveEvents valve;
   int rate_limited = 0;  ///< moves that the rate limit had not let through a period later
   int overflows = 0;
+  int cut_off = 0;
   bool ran_dry = false;  ///< HiddenProcess::ran_dry(), the warm-up included
 };
 

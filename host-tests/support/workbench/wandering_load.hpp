@@ -21,7 +21,7 @@ struct WanderingLoad {
 
 /// u rests on one of its levels for 20 to 60 samples, process gain 1, sample period 1 s.
 /// The column is "column", in `loads`.
-inline Recording simulated(const WanderingLoad& of) {
+inline Recording recorded_under(const WanderingLoad& of) {
   std::mt19937 random(of.seed);
   std::normal_distribution<double> normal;
   std::uniform_int_distribution<int> rest(20, 60);

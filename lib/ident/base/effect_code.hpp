@@ -34,8 +34,9 @@ enum class EffectCode : std::uint8_t {
   kRecordCompression,
   kProcessDirectionalLag,
   kProcessSlowTail,
+  kSensorSaturation,
 };
-inline constexpr int kEffectCodes = 25;  ///< kNone among them
+inline constexpr int kEffectCodes = 26;  ///< kNone among them
 
 inline constexpr std::array<std::string_view, kEffectCodes> kEffectNames = {
     "",
@@ -63,6 +64,7 @@ inline constexpr std::array<std::string_view, kEffectCodes> kEffectNames = {
     "record.compression",
     "process.directional_lag",
     "process.slow_tail",
+    "sensor.saturation",
 };
 
 /// E.g. "valve.stiction"; empty for kNone.

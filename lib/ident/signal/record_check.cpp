@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ident/signal/noisy_hold.hpp"
+#include "ident/signal/range_end.hpp"
 #include "ident/signal/seam.hpp"
 #include "ident/signal/sensor_hold.hpp"
 #include "ident/signal/storage.hpp"
@@ -14,6 +15,7 @@ RecordHealth<double> check_record(std::span<const double> u, std::span<const dou
                                   std::span<const double> sp) {
   RecordHealth<double> health;
   health.sensor_sticks = find_sensor_hold(u, y).sticks || find_noisy_hold(u, y).sticks;
+  health.cut_off = find_range_end(y, false).share + find_range_end(y, true).share;
   health.swapped = are_swapped(u, y, sp);
   const Seams seams = find_seams(u, y, sp);
   health.seam_at = seams.count > 0 ? seams.at[0] : 0;

@@ -21,11 +21,12 @@ struct RecordHealth {
   bool compressed = false;     ///< straight lines between stored points: storage.hpp
   Real points_apart = 1;       ///< mean distance of those points, samples; 1: not known
   Real held_apart = 1;         ///< the same of y where it is held between them
-  std::size_t seam_at = 0;     ///< first sample after the first seam; 0: none. seam.hpp
+  Real cut_off = 0;         ///< share of y at an end of its range, 0 … 1: range_end.hpp
+  std::size_t seam_at = 0;  ///< first sample after the first seam; 0: none. seam.hpp
 };
 
-/// Asks the six searches, one after the other. Equal lengths; `sp` may be empty. Offset
-/// and scale do not matter. Cost: some 26 passes, eight more where a jump stands out.
+/// Asks the seven searches, one after the other. Equal lengths; `sp` may be empty. Offset
+/// and scale do not matter. Cost: some 36 passes, eight more where a jump stands out.
 [[nodiscard]] RecordHealth<double> check_record(std::span<const double> u,
                                                 std::span<const double> y,
                                                 std::span<const double> sp);

@@ -50,6 +50,12 @@ bool leaves_little(const Evidence<Real>& e) {
          exact(e.fit_percent) > kExplainsNearlyAll;
 }
 
+// Something does, but is not enough, or does for something else as well.
+bool speaks_for_a_stem(Reason found) {
+  return found == Reason::kEvidenceTooWeak || found == Reason::kStemUnconfirmed ||
+         found == Reason::kLoadRepeats || found == Reason::kStemBounded;
+}
+
 }  // namespace
 
 template <class Real>
@@ -74,6 +80,16 @@ Reason doubt_compressed(Reason found, const Evidence<Real>& e,
                          exact(beyond_rivals(e, e.searched.nats)) > Threshold(kAloneNats);
   const bool doubtful = healthy ? far : decided && !free_running && !foretells;
   return health.compressed && doubtful ? Reason::kCompressed : found;
+}
+
+template <class Real>
+Reason doubt_cut_off(Reason found, const Evidence<Real>& e,
+                     const RecordHealth<Real>& health) {
+  const bool doubtful =
+      speaks_for_a_stem(found) || (is_fault(verdict_of(found)) && !leaves_little(e));
+  return kChecksRecord<Real> && health.cut_off > Real(0) && doubtful
+             ? Reason::kReadingCutOff
+             : found;
 }
 
 template <class Real>
@@ -226,12 +242,14 @@ Reason doubted(Reason found, const Evidence<Real>& e, const RecordHealth<Real>& 
     reason = doubt_setpoint(reason, e);
     reason = doubt_curved(reason, e);
   }
-  return doubt_bands(reason, e, fitted);
+  return doubt_bands(doubt_cut_off(reason, e, health), e, fitted);
 }
 
 #define STICKBAND_INSTANTIATE(Real)                                                \
   template Reason doubt_compressed<Real>(Reason, const Evidence<Real>&,            \
                                          const RecordHealth<Real>&);               \
+  template Reason doubt_cut_off<Real>(Reason, const Evidence<Real>&,               \
+                                      const RecordHealth<Real>&);                  \
   template bool needs_u<Real>(const Evidence<Real>&);                              \
   template bool bends<Real>(const Evidence<Real>&);                                \
   template bool repeats<Real>(const RememberedCycle<Real>&, Real);                 \

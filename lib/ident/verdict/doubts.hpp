@@ -19,6 +19,13 @@ template <class Real>
 [[nodiscard]] Reason doubt_compressed(Reason found, const Evidence<Real>& evidence,
                                       const RecordHealth<Real>& health);
 
+/// What a reading that is cut off (E26) leaves of a judgement. y rests there as behind a
+/// stem that does not move: no fault, unless the valve leaves as good as nothing of y,
+/// and nothing that only speaks for one.
+template <class Real>
+[[nodiscard]] Reason doubt_cut_off(Reason found, const Evidence<Real>& evidence,
+                                   const RecordHealth<Real>& health);
+
 /// Whether the best stem needs u beside it where y clearly keeps a clock (E15, E17): it
 /// remembers where a load stands that switches, and the valve follows.
 template <class Real>

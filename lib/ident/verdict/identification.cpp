@@ -117,6 +117,10 @@ constexpr std::array kSentences = std::to_array<Sentence>({
      "The process output answers more to the controller output at one end of its swing "
      "than at the other: that bent characteristic foretells it, and a sticking valve "
      "adds nothing."},
+    {Reason::kReadingCutOff,
+     "The process output rests at an end of its range, to the last digit, as a reading "
+     "that is cut off does, and that looks like a sticking valve: record where it stays "
+     "inside."},
 });
 
 }  // namespace

@@ -57,8 +57,10 @@ enum class Reason : std::uint8_t {
   kStemBounded,   ///< a stem of limited speed or travel foretells y better
   // no stiction
   kCurveExplains,  ///< a bent characteristic foretells y, and no stem beside it
+  // undecided
+  kReadingCutOff,  ///< y is cut off at an end of its range, and that looks like a stem
 };
-inline constexpr int kReasons = static_cast<int>(Reason::kCurveExplains) + 1;
+inline constexpr int kReasons = static_cast<int>(Reason::kReadingCutOff) + 1;
 
 /// Each reason has one verdict.
 [[nodiscard]] constexpr Verdict verdict_of(Reason reason) {

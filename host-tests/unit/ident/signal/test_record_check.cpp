@@ -1,6 +1,7 @@
 // One loop, and what a sensor, an export or a historian can do to its record.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "ident/signal/record_check.hpp"
@@ -27,6 +28,16 @@ TEST(RecordCheck, FindsNothingInASoundRecord) {
   EXPECT_FALSE(health.compressed);
   EXPECT_EQ(health.points_apart, 1);
   EXPECT_EQ(health.seam_at, 0u);
+  EXPECT_EQ(health.cut_off, 0);
+}
+
+TEST(RecordCheck, FindsAReadingThatIsCutOff) {
+  test::PiLoop loop;
+  loop.sensor = [](double y) { return std::max(y, 0.2); };
+  const double lower = health_of(test::run(loop, kRecordSamples, 1)).cut_off;
+  EXPECT_GT(lower, 0.05);
+  loop.sensor = [](double y) { return std::clamp(y, 0.2, 0.4); };
+  EXPECT_GT(health_of(test::run(loop, kRecordSamples, 1)).cut_off, lower + 0.05);
 }
 
 TEST(RecordCheck, FindsASensorThatSticks) {

@@ -86,6 +86,33 @@ TEST(Doubts, AsksOfAStemBetweenStoredPointsWhatOneAloneHasToHave) {
   EXPECT_EQ(verdict(), Verdict::kStiction);
 }
 
+TEST(Doubts, LeaveOpenWhatAReadingThatIsCutOffLooksLike) {
+  RecordHealth<double> health;
+  health.cut_off = 0.02;
+  Evidence<double> e = sticking();
+  e.error_ratio = 5;
+  e.fit_percent = 95;
+  const auto left = [&](Reason found) { return doubt_cut_off(found, e, health); };
+  for (const Reason looks_alike :
+       {Reason::kSticksBothStrokes, Reason::kDeadbandOnly, Reason::kSticksUnderLoad,
+        Reason::kEvidenceTooWeak, Reason::kStemUnconfirmed, Reason::kLoadRepeats,
+        Reason::kStemBounded}) {
+    EXPECT_EQ(left(looks_alike), Reason::kReadingCutOff);
+  }
+  for (const Reason else_ : {Reason::kLinearExplains, Reason::kTooFewCycles,
+                             Reason::kSetpointMoves, Reason::kModelTooPoor}) {
+    EXPECT_EQ(left(else_), else_);
+  }
+  // A valve that leaves as good as nothing of y needs no cut to explain it.
+  e.error_ratio = 5.1;
+  EXPECT_EQ(left(Reason::kSticksBothStrokes), Reason::kSticksBothStrokes);
+  EXPECT_EQ(left(Reason::kLoadRepeats), Reason::kReadingCutOff);
+  e.fit_percent = 88;
+  EXPECT_EQ(left(Reason::kSticksBothStrokes), Reason::kReadingCutOff);
+  health.cut_off = 0;
+  EXPECT_EQ(left(Reason::kSticksBothStrokes), Reason::kSticksBothStrokes);
+}
+
 // Of a loop under load, with so many nats of its stem and of the cycle before.
 Reason repeated(double stem_nats, double cycle_nats, double error_ratio = 2,
                 Reason found = Reason::kSticksBothStrokes) {

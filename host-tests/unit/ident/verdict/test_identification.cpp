@@ -25,7 +25,7 @@ TEST(Identification, HasOneVerdictForEachReason) {
   }
   // In the order of Reason: (s)tiction, (b)acklash, (n)o stiction, (u)ndecided; bad data
   // is the other b.
-  EXPECT_EQ(verdicts, "ussssbsnnnuuuuuuuuuuussubuuuuuuun");
+  EXPECT_EQ(verdicts, "ussssbsnnnuuuuuuuuuuussubuuuuuuunu");
   EXPECT_EQ(verdict_of(Reason::kDeadbandOnly), Verdict::kBacklash);
   EXPECT_EQ(verdict_of(Reason::kNotFinite), Verdict::kBadData);
 }
@@ -41,7 +41,7 @@ TEST(Identification, TellsWhatToRecord) {
        {Reason::kConstant, Reason::kTooShort, Reason::kOneStroke, Reason::kTooFewCycles,
         Reason::kAtLimit, Reason::kSetpointMoves, Reason::kModelTooPoor,
         Reason::kEvidenceTooWeak, Reason::kBandBelowResolution, Reason::kBandWouldNotShow,
-        Reason::kStemUnconfirmed}) {
+        Reason::kStemUnconfirmed, Reason::kReadingCutOff}) {
     EXPECT_NE(sentence(reason).find("record"), std::string_view::npos)
         << sentence(reason);
   }

@@ -54,6 +54,22 @@ TEST(SignalNotes, SayThatUIsDrivenIntoItsLimit) {
   EXPECT_EQ(signal_notes(recording).size(), 1U);
 }
 
+TEST(SignalNotes, SayThatYIsCutOff) {
+  Recording recording;
+  recording.period_s = 1;
+  for (int k = 0; k < 400; ++k) {
+    recording.t.push_back(k);
+    recording.u.push_back(k % 9);
+    recording.y.push_back(std::clamp(12 + 10 * std::sin(0.1 * k), 4.0, 20.0));
+  }
+  const std::vector<std::string> notes = signal_notes(recording);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_NE(notes[0].find("cut off at 4, its lowest reading, 6 times and 19 %"),
+            std::string::npos)
+      << notes[0];
+  EXPECT_NE(notes[1].find("cut off at 20, its highest reading"), std::string::npos);
+}
+
 TEST(SignalNotes, KnowOneSignalOnTwoScales) {
   std::vector<double> y;
   for (int k = 0; k < 400; ++k) y.push_back(50 + k * 37 % 101 % 13);

@@ -31,7 +31,8 @@ TEST(Catalogue, HasTheEffectsOfTheContract) {
                                    "sensor.quantisation",     "process.inverse_response",
                                    "process.oscillatory",     "sensor.sticking",
                                    "sensor.spikes",           "record.compression",
-                                   "process.directional_lag", "process.slow_tail"}));
+                                   "process.directional_lag", "process.slow_tail",
+                                   "sensor.saturation"}));
   EXPECT_EQ(standard_catalogue().find("no.such"), nullptr);
   Catalogue catalogue = standard_catalogue();
   EXPECT_THROW(catalogue.add(effects::sensor_lag()), std::invalid_argument);

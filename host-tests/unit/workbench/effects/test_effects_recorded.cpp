@@ -164,6 +164,30 @@ TEST(RecordedEffects, AFrozenReadingIsNamedAndLeftOut) {
   EXPECT_LT(result.quality.rmse, 0.35);
 }
 
+// The model of what was not cut off is that of the whole reading.
+TEST(RecordedEffects, AReadingAtTheEndsOfItsRangeIsNamedAndLeftOut) {
+  Recording recording = test::simulated(usual());
+  const double whole = start_model(recording, Column::y).quality.rmse;
+  const auto [low, high] = std::ranges::minmax_element(recording.y);
+  const double upper = *high - 0.15 * (*high - *low);
+  const double lower = *low + 0.1 * (*high - *low);
+  for (double& y : recording.y) y = std::min(y, upper);
+  const Candidate one = first_candidate(recording);
+  EXPECT_EQ(one.effect, "sensor.saturation");
+  EXPECT_EQ(recorded_value(one, "upper_end"), upper);
+  EXPECT_EQ(recorded_value(one, "lower_share"), 0);
+  EXPECT_GT(recorded_value(one, "upper_share"), 0.02);
+  EXPECT_NE(one.evidence.find("its highest value, to the last digit"), std::string::npos);
+  for (double& y : recording.y) y = std::max(y, lower);
+  const Candidate both = first_candidate(recording);
+  EXPECT_EQ(both.effect, "sensor.saturation");
+  EXPECT_EQ(recorded_value(both, "lower_end"), lower);
+  EXPECT_GT(recorded_value(both, "lower_share"), 0.02);
+  EXPECT_NE(both.evidence.find("its lowest, to the last digit"), std::string::npos);
+  EXPECT_LT(both.rmse_after, 1.05 * whole);
+  EXPECT_GT(both.rmse_before, 1.3 * whole);
+}
+
 TEST(RecordedEffects, CompressionIsNamedWithItsToleranceAndShare) {
   Recording recording = test::simulated(usual());
   recording.y = test::swinging_door(recording.y, 1.5);

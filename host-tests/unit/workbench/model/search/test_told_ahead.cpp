@@ -15,7 +15,7 @@ namespace {
 using test::WanderingLoad;
 
 Recording without_column(const WanderingLoad& of) {
-  Recording out = test::simulated(of);
+  Recording out = test::recorded_under(of);
   out.loads.clear();
   return out;
 }
@@ -92,7 +92,7 @@ TEST(ToldAhead, AColumnThatOnlyWandersAsTheLoadDoesIsNotNamed) {
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
     WanderingLoad of;
     of.seed = seed;
-    const Recording recording = test::simulated(of);
+    const Recording recording = test::recorded_under(of);
     const ExplainResult found =
         explain(recording, start_model(recording, Column::y).model);
     named += found.best() != nullptr && found.best()->effect.ends_with(":column");
@@ -103,7 +103,7 @@ TEST(ToldAhead, AColumnThatOnlyWandersAsTheLoadDoesIsNotNamed) {
 TEST(ToldAhead, AColumnThatMovesTheOutputIs) {
   WanderingLoad of;
   of.column_gain = 5;
-  const Recording recording = test::simulated(of);
+  const Recording recording = test::recorded_under(of);
   const ExplainResult found = explain(recording, start_model(recording, Column::y).model);
   ASSERT_NE(found.best(), nullptr);
   EXPECT_EQ(found.best()->effect, "disturbance.measured:column");
