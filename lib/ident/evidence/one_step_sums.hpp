@@ -14,7 +14,7 @@
 namespace ident {
 
 /// Fewer predicted samples tell nothing of so many unknowns.
-inline constexpr std::size_t kFewestRows = 100;
+inline constexpr std::size_t kFewestRows = 60;
 
 /// A signal of which every `thinning` samples count as their mean.
 template <class Real>

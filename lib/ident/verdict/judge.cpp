@@ -72,6 +72,7 @@ constexpr Threshold kLeavesNoiseOut = Threshold(0.35);
 // A band that would show only above this share of the usual swing may hide one that
 // matters.
 constexpr Threshold kHidden = Threshold(0.35);
+constexpr std::size_t kEnoughToHope = 300;  // predicted samples
 // What a stem does at one turn of u a load that drifts, or a curve, does as well.
 constexpr int kFewestTurns = 2;
 // Unless the stem turned back so often, in turns of u too small to count.
@@ -209,8 +210,10 @@ Reason nothing_found(const Evidence<Real>& e, bool oscillates, bool poor) {
   if (poor && !oscillates) {
     return Reason::kModelTooPoor;
   }
-  // Nor is a swing on a drift one that u comes back to.
-  const bool steady = kStemSearch && !few && !e.drifts;
+  // Nor is a swing on a drift one that u comes back to; and under a load few samples
+  // hold no more than hope.
+  const bool long_enough = !load_may_hide(e) || e.ladder.predicted >= kEnoughToHope;
+  const bool steady = kStemSearch && !few && !e.drifts && long_enough;
   const Threshold hoped = exact(shown_or_excluded(e, steady));
   if (!(hoped > 0) || hoped > kHidden) {
     return Reason::kBandWouldNotShow;

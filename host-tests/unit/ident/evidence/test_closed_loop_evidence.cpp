@@ -301,9 +301,9 @@ TEST(ClosedLoopEvidence, ThinsOutALongWindow) {
   EXPECT_NEAR(asked.in_u(found.band), 5, 1);
 }
 
-// 100 predicted samples, behind the 11 … 15 that are the past of the first.
+// 60 predicted samples, behind the 7 … 9 that are the past of the first.
 TEST(ClosedLoopEvidence, SaysNothingOfATooShortWindow) {
-  for (const std::size_t samples : {60u, 100u, 114u}) {
+  for (const std::size_t samples : {60u, 67u}) {
     const Signals signals = by_hand(1, samples, 0.02);
     Asked<double> asked(signals);
     const LadderFinding<double> found = asked.climb();
@@ -315,8 +315,8 @@ TEST(ClosedLoopEvidence, SaysNothingOfATooShortWindow) {
     EXPECT_EQ(asked.ladder, Ladder<double>{});
     EXPECT_EQ(asked.nats_of(kSticks, signals.u, 0), 0);
   }
-  Asked<double> enough(by_hand(1, 115, 0.02));
-  EXPECT_EQ(enough.climb().predicted, 100u);
+  Asked<double> enough(by_hand(1, 69, 0.02));
+  EXPECT_EQ(enough.climb().predicted, 60u);
 }
 
 TEST(ClosedLoopEvidence, ForgetsTheWindowBefore) {

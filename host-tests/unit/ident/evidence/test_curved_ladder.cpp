@@ -130,7 +130,7 @@ TEST(CurvedLadder, IsTheSameInPieces) {
 
 TEST(CurvedLadder, KnowsNothingOfAWindowTooShort) {
   SteppedLoop loop = stuck_in_steps();
-  for (std::vector<double>* signal : {&loop.u, &loop.y, &loop.sp}) signal->resize(105);
+  for (std::vector<double>* signal : {&loop.u, &loop.y, &loop.sp}) signal->resize(65);
   EXPECT_FALSE(nats_of(loop).known);
   EXPECT_TRUE(nats_of(stuck_in_steps()).known);
 }

@@ -113,8 +113,8 @@ TEST(CycleMemory, IsSilentWhereThereIsNoCycleToRemember) {
   EXPECT_EQ(nats(loop.u, loop.y, 0), 0);
   EXPECT_EQ(nats(loop.u, loop.y, 7), 0);    // near lags know it
   EXPECT_EQ(nats(loop.u, loop.y, 400), 0);  // no three of them
-  const Loop few = shaken(120, 40, 0.05);
-  EXPECT_EQ(nats(few.u, few.y, 40), 0);  // too few samples to predict
+  const Loop few = shaken(60, 12, 0.05);
+  EXPECT_EQ(nats(few.u, few.y, 12), 0);  // too few samples to predict
 }
 
 }  // namespace

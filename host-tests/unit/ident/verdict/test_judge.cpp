@@ -155,6 +155,25 @@ TEST(Judge, OnADriftTheDetectableBandDecides) {
   expect(judge(e, false), Reason::kLinearExplains);
 }
 
+TEST(Judge, OfFewSamplesUnderALoadTheDetectableBandDecides) {
+  if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
+  Evidence<double> e = following_by_hand();
+  e.by_hand = false;
+  e.reversals = 20;
+  e.ladder.hoped_band = 0.2;
+  e.ladder.detectable_band = 0;
+  e.fit_linear_percent = 79;
+  e.ladder.predicted = 300;
+  expect(judge(e, false), Reason::kLinearExplains);
+  e.ladder.predicted = 299;
+  expect(judge(e, false), Reason::kBandWouldNotShow);
+  e.fit_linear_percent = 80;
+  expect(judge(e, false), Reason::kLinearExplains);
+  e.fit_linear_percent = 79;
+  e.ladder.detectable_band = 0.3;
+  expect(judge(e, false), Reason::kLinearExplains);
+}
+
 TEST(Judge, AMovedSetpointSaysWhatWouldHaveShown) {
   if (!kStemSearch) GTEST_SKIP() << "no stems are searched in this size";
   LoopEvidence<double> loop;
