@@ -34,9 +34,9 @@ class ColumnChooser {
     if (is_long()) return std::move(out_);
     hide_times();
     if (has_rows_of_loops()) return std::move(out_);
-    const std::vector<PickedSignal> picked =
-        choose_signals(candidates_, names_, required_,
-                       {file_, layout_.header_line, "columns", time_option()});
+    const std::vector<PickedSignal> picked = choose_signals(
+        candidates_, names_, required_,
+        {file_, layout_.header_line, "columns", time_option(), layout_.cut_names});
     if (const std::string note = elimination_note(picked, candidates_); !note.empty()) {
       out_.notes.push_back(note);
     }
@@ -162,7 +162,8 @@ class ColumnChooser {
   [[nodiscard]] std::string time_option() const {
     if (!time_needed_ || !out_.times.empty()) return "";
     const std::optional<std::size_t> time = counter_of(layout_);
-    return time ? "--time " + shell_word(columns_[*time].name.text) : "--ts SECONDS";
+    return time ? "--time " + option_word(columns_[*time].name.text, *time + 1)
+                : "--ts SECONDS";
   }
 
   [[noreturn]] void refuse_without_time() const {
@@ -178,11 +179,12 @@ class ColumnChooser {
                        "give --ts SECONDS");
     }
     const std::optional<std::size_t> time = counter_of(layout_);
-    throw InputError(file_, layout_.header_line, 1, with_aliases(Column::t),
-                     "the columns " + list_of(candidates_),
-                     "name the time column with --time " +
-                         (time ? shell_word(columns_[*time].name.text) : "COLUMN") +
-                         ", or give --ts SECONDS, the time from one row to the next");
+    throw InputError(
+        file_, layout_.header_line, 1, with_aliases(Column::t),
+        "the columns " + list_of(candidates_),
+        "name the time column with --time " +
+            (time ? option_word(columns_[*time].name.text, *time + 1) : "COLUMN") +
+            ", or give --ts SECONDS, the time from one row to the next");
   }
 
   const std::vector<LayoutColumn>& columns_;

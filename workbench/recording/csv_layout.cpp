@@ -260,8 +260,9 @@ class LayoutFinder {
         cut, [](const LayoutColumn& c) { return !c.name.text.empty(); });
     out_.columns.resize(cells);
     if (!named) return;
-    out_.notes.push_back("the header has " + std::to_string(names) + " names, each row " +
-                         std::to_string(cells) + " cells: the last names are left out");
+    out_.cut_names = "the header has " + std::to_string(names) + " names, each row " +
+                     std::to_string(cells) + " cells: the last names are left out";
+    out_.notes.push_back(out_.cut_names);
   }
 
   [[nodiscard]] std::size_t after_line_end(std::size_t at) const {

@@ -49,6 +49,7 @@ struct CsvLayout {
   std::size_t first_row_offset = 0;  ///< its first byte
   NumberStyle style;
   std::vector<std::string> notes;  ///< what was taken as meant
+  std::string cut_names;  ///< of these that of names beyond the cells; empty: none
   /// Points may group thousands: semicolons and 13.05.2026 are of a decimal comma.
   [[nodiscard]] bool points_may_group() const {
     return separator == ';' && style.dotted_dates;

@@ -61,6 +61,16 @@ std::string shell_word(const std::string& name) {
   return out + "'";
 }
 
+std::string list_of(const std::vector<NamedSignal>& candidates,
+                    const ChoiceContext& context) {
+  return "the " + std::string(context.candidates) + ' ' + list_of(candidates) +
+         (context.beside.empty() ? "" : " (" + context.beside + ')');
+}
+
+std::string option_word(const std::string& name, std::size_t number) {
+  return shell_word(name.empty() ? '#' + std::to_string(number) : cut_name(name));
+}
+
 std::string list_of(const std::vector<NamedSignal>& candidates) {
   std::string text = first_listed(candidates, {.letters = kLongestList}, " ",
                                   [](const NamedSignal& candidate) {
@@ -112,8 +122,8 @@ std::size_t candidate_named(const std::string& name, const char* option,
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (std::to_string(candidates[i].number) == name.substr(1)) return i;
     }
-    throw std::invalid_argument(given + ": " + context.file + " has the " +
-                                context.candidates + ' ' + list_of(candidates));
+    throw std::invalid_argument(given + ": " + context.file + " has " +
+                                list_of(candidates, context));
   }
   const std::vector<std::size_t> found = best_fitting(column_name(name), candidates);
   if (found.size() == 1) return found[0];
@@ -130,8 +140,8 @@ std::size_t candidate_named(const std::string& name, const char* option,
         given + " fits several " + context.candidates + " of " + context.file + ": " +
         list_of(several) + "; give more of the name, or its number (" + numbers + ")");
   }
-  throw std::invalid_argument(given + ": no such name; " + context.file + " has the " +
-                              context.candidates + ' ' + list_of(candidates));
+  throw std::invalid_argument(given + ": no such name; " + context.file + " has " +
+                              list_of(candidates, context));
 }
 
 }  // namespace workbench

@@ -26,6 +26,7 @@ struct ChoiceContext {
   std::size_t header_line = 1;         ///< 0: tags of a long format
   const char* candidates = "columns";  ///< or "tags"
   std::string time_option = {};        ///< "--time \"#1\"": what the file needs as well
+  std::string beside = {};             ///< what else is to be known of the candidates
 };
 
 /// The candidates that a name fits best, in their order: letter for letter, else without
@@ -48,7 +49,14 @@ inline constexpr std::size_t kLongestList = 600;
 /// "'FIC101.OP' 'FIC101.PV' and 12 more", at most about 600 bytes.
 [[nodiscard]] std::string list_of(const std::vector<NamedSignal>& candidates);
 
+/// The same in a message, and what else is to be known.
+[[nodiscard]] std::string list_of(const std::vector<NamedSignal>& candidates,
+                                  const ChoiceContext& context);
+
 /// `name` as a shell takes it: in quotes where it must be.
 [[nodiscard]] std::string shell_word(const std::string& name);
+
+/// What an option calls a column: its name, cut, or else its number.
+[[nodiscard]] std::string option_word(const std::string& name, std::size_t number);
 
 }  // namespace workbench

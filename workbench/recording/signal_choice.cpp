@@ -291,7 +291,7 @@ class Chooser {
 
   [[nodiscard]] std::string option_for(Column column, std::size_t index) const {
     return "--" + std::string(name_of(column)) + ' ' +
-           shell_word(cut_name(candidates_[index].name.text));
+           option_word(candidates_[index].name.text, candidates_[index].number);
   }
 
   [[noreturn]] void refuse_several(const std::vector<Loop>& fitting) const {
@@ -332,13 +332,11 @@ class Chooser {
     std::string options = context_.time_option.empty() ? "" : ' ' + context_.time_option;
     const Indices suggested = suggested_signals(candidates_, taken(), wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      options += " --" + std::string(name_of(wanted[i])) + ' ' +
-                 (suggested[i] < candidates_.size()
-                      ? shell_word(cut_name(candidates_[suggested[i]].name.text))
-                      : "COLUMN");
+      options += ' ' + (suggested[i] < candidates_.size()
+                            ? option_for(wanted[i], suggested[i])
+                            : "--" + std::string(name_of(wanted[i])) + " COLUMN");
     }
-    refuse(1, what,
-           "the " + std::string(context_.candidates) + ' ' + list_of(candidates_),
+    refuse(1, what, list_of(candidates_, context_),
            "name the " + std::string(context_.candidates) + ", for example" + options);
   }
 

@@ -392,6 +392,27 @@ TEST(Csv, ANameForNoCellIsLeftOut) {
   EXPECT_EQ(error_of(text + "6,1\n").line, 2U);
 }
 
+TEST(Csv, AMessageSaysThatNamesAreLeftOut) {
+  std::string text = "time,round,status,kp,ki,warmth\n";
+  for (int k = 0; k < 12; ++k) text += std::to_string(k) + ",3,0.5,7,42\n";
+  EXPECT_NE(error_of(text).found.find("(the header has 6 names, each row 5 cells"),
+            std::string::npos)
+      << error_of(text).found;
+}
+
+// As a table is written whose index has no name.
+TEST(Csv, AColumnWithoutANameIsCalledByItsNumber) {
+  std::string text = ",rest,press\n";
+  for (int k = 0; k < 12; ++k) text += std::to_string(k) + ",1.5,42\n";
+  EXPECT_NE(error_of(text).advice.find("--time \"#1\""), std::string::npos)
+      << error_of(text).advice;
+  CsvOptions options;
+  options.names.u = "rest";
+  options.names.y = "press";
+  EXPECT_NE(error_of(text, options).advice.find("--time \"#1\""), std::string::npos)
+      << error_of(text, options).advice;
+}
+
 TEST(Csv, OneColumnIsSaidToBeOne) {
   EXPECT_EQ(error_of("73.1\n73.2\n73.3\n").found, "a single column");
 }
