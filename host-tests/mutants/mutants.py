@@ -116,7 +116,8 @@ def build(found, jobs):
         while log := make(target, jobs):
             more = refused_by(log, found) - refused
             if not more:
-                sys.exit(f"the instrumented copy does not build:\n{log[-4000:]}")
+                told = "\n".join(line for line in log.splitlines() if "error" in line)
+                sys.exit(f"the instrumented copy does not build:\n{told or log[-4000:]}")
             refused |= more
             kept.write_text(" ".join(map(str, sorted(refused))))
             write_copy(found, refused)

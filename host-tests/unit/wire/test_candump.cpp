@@ -39,6 +39,12 @@ TEST(Candump, ReadsTheManualsExample) {
   EXPECT_EQ(formatted(line), "(1436509052.249713) vcan0 044#2A366C2BBA");
 }
 
+TEST(Candump, LeavesNothingOfTheLineBefore) {
+  CandumpLine line = parsed("(1.5) can0 1ff#0011223344556677");
+  ASSERT_TRUE(parse_candump("(1.5) can0 1ff#00", line).ok());
+  EXPECT_EQ(line.frame.data, (std::array<std::uint8_t, 64>{}));
+}
+
 TEST(Candump, TellsFrameKindsApart) {
   EXPECT_TRUE(parsed("(1.5) can0 00000044#").frame.extended);
   EXPECT_EQ(parsed("(1.5) can0 18DA10F1#").frame.id, 0x18DA10F1U);

@@ -157,6 +157,9 @@ TEST(Dbc, ErrorsNameLineColumnAndFinding) {
     EXPECT_EQ(status.column, c.column) << c.text << status.found;
   }
   EXPECT_EQ(dbc_status_of("BO_ 1 M: 8 X\n SG_ S : 0|8@2+\n").found, "2+");
+  EXPECT_EQ(dbc_status_of("BO_ 1 M: 8 X\n SG_ S : a23456789012345678901234567").found,
+            "a23456789012345678901234");
+  EXPECT_NE(dbc_status_of("BO_ 1 M: 8 X\n SG_ S : 65535|8@1+\n").error, DbcError::kStart);
 }
 
 TEST(Dbc, CapacityIsTheCallers) {

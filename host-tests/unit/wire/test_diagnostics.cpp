@@ -60,6 +60,11 @@ TEST(Diagnostics, GoldenObjectsOfALoop) {
   EXPECT_TRUE(object(-1, loop).empty());
 }
 
+TEST(Diagnostics, TheLastStandardIdentifierIsOne) {
+  EXPECT_FALSE(cyclic_frame(0, support::sample_loops()[0], 0x7FF).extended);
+  EXPECT_TRUE(cyclic_frame(0, support::sample_loops()[0], 0x800).extended);
+}
+
 TEST(Diagnostics, WhatIsNotKnownIsAllOnes) {
   const LoopStatus loop = support::new_loop();
   EXPECT_EQ(object(0, loop),

@@ -148,6 +148,8 @@ TEST(Signal, RawIsRefusedRatherThanSaturated) {
   EXPECT_EQ(to_raw(layout(0, 8, kIntel, true), 128, raw), SignalError::kNotRepresentable);
   EXPECT_EQ(to_raw(layout(0, 64, kIntel), 1.8446744073709552e19, raw),
             SignalError::kNotRepresentable);
+  EXPECT_EQ(to_raw(layout(0, 64, kIntel), std::ldexp(3, 62), raw), SignalError::kNone);
+  EXPECT_EQ(raw, std::uint64_t{3} << 62);
   EXPECT_EQ(to_raw(layout(0, 8, kIntel), std::nan(""), raw),
             SignalError::kNotRepresentable);
 }
