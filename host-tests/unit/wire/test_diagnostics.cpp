@@ -61,8 +61,10 @@ TEST(Diagnostics, GoldenObjectsOfALoop) {
 }
 
 TEST(Diagnostics, TheLastStandardIdentifierIsOne) {
-  EXPECT_FALSE(cyclic_frame(0, support::sample_loops()[0], 0x7FF).extended);
-  EXPECT_TRUE(cyclic_frame(0, support::sample_loops()[0], 0x800).extended);
+  LoopStatus loop = support::sample_loops()[0];
+  loop.id = 0x1F;
+  EXPECT_FALSE(broadcast_frame(loop, 0x7E0).extended);
+  EXPECT_TRUE(broadcast_frame(loop, 0x7E1).extended);
 }
 
 TEST(Diagnostics, WhatIsNotKnownIsAllOnes) {
