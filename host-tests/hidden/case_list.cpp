@@ -82,7 +82,7 @@ std::vector<CaseKey> not_excited(const Seeds& seeds) {
         if (!shows_itself) {
           keys.push_back({{effect}, Excitation::kQuiet, ratio, seed_of(seeds, i)});
         }
-        if (is_limit(effect) && effect != Effect::kQuantisation) {
+        if (is_limit(effect) && !is_recorded(effect)) {
           keys.push_back(
               {{effect}, Excitation::kSetpointSteps, ratio, seed_of(seeds, i), true});
         }
