@@ -37,6 +37,7 @@ DOUBLE = {
     "ident::fitted_valve_sticks<float>": "the same",
     "SensorHoldSearch::bend": "a record is checked on a desk, in double alone",
     "ident::was_compressed": "the same",
+    "::Depths": "the same",
 }
 # Whole namespaces: CAN signals and decimal numbers are double by definition of their formats.
 DOUBLE_NAMESPACES = ("wire::",)

@@ -108,8 +108,8 @@ TEST(BoundedStem, IsTheSameInPieces) {
 
 TEST(BoundedStem, IsSilentInAWindowTooShort) {
   const Moved loop = slow();
-  const Values u(loop.u.begin(), loop.u.begin() + 110);
-  const Values y(loop.y.begin(), loop.y.begin() + 110);
+  const Values u(loop.u.begin(), loop.u.begin() + 65);
+  const Values y(loop.y.begin(), loop.y.begin() + 65);
   EXPECT_EQ(weighed(u, y, 50, 8).nats, 0);
   EXPECT_EQ(weighed(loop.u, loop.y, 0, 8).nats, 0);
 }

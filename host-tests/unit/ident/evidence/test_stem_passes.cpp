@@ -135,10 +135,10 @@ TEST(StemPasses, BeginInNoWindowTooShort) {
   EXPECT_EQ(loop.passes.rows(), 0U);
   ASSERT_TRUE(loop.passes.begin(kCoarseLagBins));
   EXPECT_EQ(loop.passes.rows(), 178U) << "the past is an eighth";
-  EXPECT_TRUE(loop.passes.begin_at(100, kCoarseLagBins));
-  EXPECT_EQ(loop.passes.rows(), 100U);
-  EXPECT_FALSE(loop.passes.begin_at(101, kCoarseLagBins));
-  EXPECT_EQ(loop.passes.rows(), 100U);
+  EXPECT_TRUE(loop.passes.begin_at(140, kCoarseLagBins));
+  EXPECT_EQ(loop.passes.rows(), 60U);
+  EXPECT_FALSE(loop.passes.begin_at(141, kCoarseLagBins));
+  EXPECT_EQ(loop.passes.rows(), 60U);
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t kReadings = 1500;
 
-std::vector<double> readings(const std::function<double(double)>& of_time) {
+std::vector<double> over_time(const std::function<double(double)>& of_time) {
   std::vector<double> y;
   for (std::size_t k = 0; k < kReadings; ++k)
     y.push_back(of_time(static_cast<double>(k)));
   return y;
 }
 
-double wave(double t) {
+double swell(double t) {
   return std::sin(2 * std::numbers::pi * t / 97.3);
 }
 
@@ -31,7 +31,7 @@ std::size_t stays_of(const std::vector<double>& y, bool upper = true) {
 }
 
 TEST(RangeEnd, IsFoundWhereAWaveIsCutOff) {
-  const auto y = readings([](double t) { return 40 + 3 * std::min(wave(t), 0.8); });
+  const auto y = over_time([](double t) { return 40 + 3 * std::min(swell(t), 0.8); });
   const RangeEnd upper = find_range_end(y, true);
   EXPECT_NEAR(upper.level, 42.4, 1e-12);
   EXPECT_EQ(upper.stays, 16u);
@@ -52,9 +52,9 @@ TEST(RangeEnd, IsFoundAtTheLowerEndOfANoisyLoop) {
 TEST(RangeEnd, OneStayTellsWhereNoiseMovesTheReadingElsewhere) {
   test::Random random(3);
   const auto one = [&](double noise) {
-    return readings([&](double t) {
+    return over_time([&](double t) {
       const double rest = t < 700 || t > 800 ? 0 : 5;
-      return std::min(wave(t) + rest + noise * test::normal(random), 2.0);
+      return std::min(swell(t) + rest + noise * test::normal(random), 2.0);
     });
   };
   EXPECT_EQ(stays_of(one(0.1)), 1u);
@@ -62,13 +62,13 @@ TEST(RangeEnd, OneStayTellsWhereNoiseMovesTheReadingElsewhere) {
 }
 
 TEST(RangeEnd, IsNotAPeak) {
-  EXPECT_EQ(stays_of(readings(wave)), 0u);
-  EXPECT_EQ(stays_of(readings([](double t) { return std::round(50 * wave(t)); })), 0u);
+  EXPECT_EQ(stays_of(over_time(swell)), 0u);
+  EXPECT_EQ(stays_of(over_time([](double t) { return std::round(50 * swell(t)); })), 0u);
 }
 
 // Every 200 samples to the same level, and back at once.
 TEST(RangeEnd, IsNotWhereAProcessSettles) {
-  const auto y = readings([](double t) {
+  const auto y = over_time([](double t) {
     const double since = std::fmod(t, 200);
     return since < 150 ? 1 - std::exp(-since / 8) : std::exp(-(since - 150) / 8);
   });
@@ -76,21 +76,21 @@ TEST(RangeEnd, IsNotWhereAProcessSettles) {
 }
 
 TEST(RangeEnd, IsNotASwitch) {
-  const auto y = readings([](double t) { return wave(t) > 0.2 ? 1 : 0; });
+  const auto y = over_time([](double t) { return swell(t) > 0.2 ? 1 : 0; });
   EXPECT_EQ(stays_of(y, true), 0u);
   EXPECT_EQ(stays_of(y, false), 0u);
 }
 
 TEST(RangeEnd, IsNotWhereAReadingRestsAnywhere) {
   const auto held =
-      readings([](double t) { return std::min(wave(t - std::fmod(t, 6)), 0.8); });
+      over_time([](double t) { return std::min(swell(t - std::fmod(t, 6)), 0.8); });
   EXPECT_EQ(stays_of(held), 0u);
   EXPECT_EQ(stays_of({}), 0u);
   EXPECT_EQ(stays_of({1, 1, 1, 1}), 0u);
 }
 
 TEST(RangeEnd, IsNotAFewReadingsAtOneLevel) {
-  auto y = readings([](double t) { return std::min(wave(t), 0.999); });
+  auto y = over_time([](double t) { return std::min(swell(t), 0.999); });
   EXPECT_EQ(stays_of(y), 0u);
 }
 
